@@ -22,12 +22,13 @@ from ..run.steps.velocity_guard import SafetySettings
 from ..wire.page import Goal, Previewed
 from ..wire.problem import Problem
 from ..worker.mailbox import Mailbox
-from ..world.arena import read_arena
+from ..world.arena import Arena, read_arena
+from ..world.obstacles import Obstacles
 from ..world.time_step import STEP
 from ..world.world import World
 from .computing_budget import ComputingBudget
 
-__all__ = ["PathRecorder", "PreviewTask", "preview_over_link", "preview_settings", "refused_preview"]
+__all__ = ["KnownRoom", "PathRecorder", "PreviewTask", "preview_over_link", "preview_settings", "refused_preview"]
 
 _POINT_DISTANCE = 0.02
 """Between two points of a path, m: less than a pixel of a picture of a whole room."""
@@ -90,9 +91,30 @@ def preview_settings(task: PreviewTask, limits: Limits) -> RunSettings:
     return RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, polls=True)
 
 
+class KnownRoom:
+    """The room of the latest preview: reading it and building its walls takes some milliseconds."""
+
+    def __init__(self) -> None:
+        self._told: Any = None
+        self._arena: Arena | None = None
+        self._obstacles: Obstacles | None = None
+
+    def world(self, told: Any, seed: int) -> World:
+        """A robot in a room that was told as JSON."""
+        if self._arena is None or told != self._told:
+            self._arena = read_arena(told)
+            self._told = told
+            self._obstacles = None
+        world = World(self._arena, DEFAULT_ROBOT, seed, self._obstacles)
+        # Things that can be pushed do not stand where they stood.
+        self._obstacles = None if world.obstacles.movables else world.obstacles
+        return world
+
+
 def preview_over_link(
     task: PreviewTask,
     settings: RunSettings,
+    world: World,
     link: socket.socket,
     program: Program,
     is_over: Callable[[], bool],
@@ -106,7 +128,6 @@ def preview_over_link(
             those below it; then the path ends early.
         is_over: called in each step; true when the result is no longer needed.
     """
-    world = World(read_arena(task.world), DEFAULT_ROBOT, task.seed)
     recorder = PathRecorder(world)
     budget = ComputingBudget(settings.limits.preview)
 

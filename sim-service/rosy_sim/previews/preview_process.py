@@ -22,7 +22,7 @@ from ..wire.page import Previewed
 from ..wire.worker import Refused
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
-from .preview import PreviewTask, preview_over_link, preview_settings, refused_preview
+from .preview import KnownRoom, PreviewTask, preview_over_link, preview_settings, refused_preview
 
 __all__ = ["main"]
 
@@ -64,24 +64,29 @@ def main() -> int:
                 worker.ready()
                 lines.worker = worker
                 write_line(b"")
+                room = KnownRoom()
                 while True:
                     line, cancelled = lines.tasks.get()
                     task = msgspec.json.decode(line, type=PreviewTask)
-                    write_line(msgspec.json.encode(_preview(worker, task, setup.limits, cancelled)))
+                    write_line(msgspec.json.encode(_preview(worker, room, task, setup.limits, cancelled)))
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status
     return 0
 
 
-def _preview(worker: BlockingWorker, task: PreviewTask, limits: Limits, cancelled: threading.Event) -> Previewed:
+def _preview(
+    worker: BlockingWorker, room: KnownRoom, task: PreviewTask, limits: Limits, cancelled: threading.Event
+) -> Previewed:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     settings = preview_settings(task, limits)
     with ours, settings.open_mailbox() as mailbox:
         started = worker.run(task.source, theirs, cancelled.is_set, mailbox)
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
-        found = preview_over_link(task, settings, ours, worker, cancelled.is_set, mailbox)
+        found = preview_over_link(
+            task, settings, room.world(task.world, task.seed), ours, worker, cancelled.is_set, mailbox
+        )
     # Answers about a run that is over are passed over by the next one.
     worker.kill()
     return found

@@ -12,7 +12,7 @@ from statistics import median
 import pytest
 
 from rosy_sim.config import Limits, discover
-from rosy_sim.previews.preview import PreviewTask, preview_over_link, preview_settings
+from rosy_sim.previews.preview import KnownRoom, PreviewTask, preview_over_link, preview_settings
 from rosy_sim.run.steps.hands import write_hands
 from rosy_sim.run.steps.velocity_guard import OFF
 from rosy_sim.wire.page import Previewed
@@ -47,7 +47,9 @@ def preview(worker: BlockingWorker, name: str, seed: int, source: str = "", limi
     with ours:
         assert isinstance(worker.run(source or own, theirs), Started)
         task = PreviewTask(1, source or own, named_world(world), seed, SECONDS, OFF, write_hands(HANDS))
-        found = preview_over_link(task, preview_settings(task, limits), ours, worker, lambda: False)
+        found = preview_over_link(
+            task, preview_settings(task, limits), KnownRoom().world(task.world, task.seed), ours, worker, lambda: False
+        )
     worker.kill()
     return found
 
