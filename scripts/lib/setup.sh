@@ -166,8 +166,9 @@ do_venv-cluster() {
     ROSY_PYTHON="$ROSY_CLUSTER_PYTHON" pip_install -r "$ROSY_ROOT/sim-service/requirements-cluster.lock"
 }
 do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock" && strip_debug "$ROSY_STATE/venv"; }
-# The modules of the service that `rosy_sim/compiled_modules.py` lists.
+# The modules of the service that `rosy_sim/compiled_modules.py` lists, and those of the robots.
 compiled_sources() {
+  (cd "$ROSY_ROOT" && { find sim-service/rosy_sim/robots -name '*.py' 2>/dev/null || true; } | LC_ALL=C sort)
   sed -nE 's#^    "([a-z_.]+)",$#\1#p' "$ROSY_ROOT/sim-service/rosy_sim/compiled_modules.py" 2>/dev/null | tr . / | sed -E 's#(.*)#sim-service/rosy_sim/\1.py#' || true
 }
 # Where this cannot be done the sources are interpreted, with the same results: the folder stays empty.

@@ -20,11 +20,7 @@ from types import ModuleType
 
 __all__ = ["MODULES", "SOURCES", "fingerprint", "install"]
 
-MODULES = (
-    "robots.kobuki.dock_receivers",
-    "robots.kobuki.gyroscope",
-    "robots.kobuki.power",
-    "robots.kobuki.sensors",
+_MODULES = (
     "run.headless_run",
     "run.program_link",
     "run.steps.command_conflicts",
@@ -43,10 +39,23 @@ MODULES = (
 """Without the name of the package. A module whose classes a library looks into (msgspec) or a test replaces cannot be
 compiled."""
 
-SOURCES = "sources"
-"""The file that says of which sources the extension was made: a ``fingerprint``."""
+_NOT_OF_A_ROBOT = ("__init__", "connector", "facts")
+"""Modules of a robot that read files or say what it is made of. The others compute what its parts do in each step."""
 
 _PACKAGE = Path(__file__).parent
+
+MODULES = (
+    *_MODULES,
+    *sorted(
+        f"robots.{path.parent.name}.{path.stem}"
+        for path in (_PACKAGE / "robots").glob("*/*.py")
+        if path.stem not in _NOT_OF_A_ROBOT
+    ),
+)
+"""All of them."""
+
+SOURCES = "sources"
+"""The file that says of which sources the extension was made: a ``fingerprint``."""
 
 
 def source_of(name: str) -> Path:

@@ -81,7 +81,7 @@ def _preview(
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     settings = preview_settings(task, limits)
     with ours, settings.open_mailbox() as mailbox:
-        started = worker.run(task.source, theirs, cancelled.is_set, mailbox)
+        started = worker.run(task.source, theirs, cancelled.is_set, mailbox, plain=True)
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
         found = preview_over_link(

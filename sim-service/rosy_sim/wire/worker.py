@@ -149,9 +149,13 @@ def complete_request(ident: int, source: str, line: int, column: int) -> bytes:
     return _line(op="complete", id=ident, source=source, line=line, column=column)
 
 
-def run_request(ident: int, source: str, memory: int) -> bytes:
-    """Asks for a run; the robot link's descriptor rides along, or has come with `prepare`."""
-    return _line(op="run", id=ident, source=source, memory=memory)
+def run_request(ident: int, source: str, memory: int, plain: bool = False) -> bytes:
+    """
+    Asks for a run; the robot link's descriptor rides along, or has come with `prepare`. Of a ``plain`` one only what it
+    commands is wanted, so it begins sooner.
+    """
+    asking = {"plain": True} if plain else {}
+    return _line(op="run", id=ident, source=source, memory=memory, **asking)
 
 
 def prepare_request(ident: int, source: str, memory: int) -> bytes:

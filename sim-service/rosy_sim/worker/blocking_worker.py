@@ -86,9 +86,11 @@ class BlockingWorker:
         link: socket.socket,
         is_cancelled: Callable[[], bool] = lambda: False,
         mailbox: Mailbox | None = None,
+        plain: bool = False,
     ) -> Started | Refused:
         """
-        Start a program on a link, with a mailbox if there is one; our copy of its end of the link is closed.
+        Start a program on a link, with a mailbox if there is one; our copy of its end of the link is closed. Of a
+        ``plain`` run the answer has no warnings, no types that it uses, and no branches.
 
         Another thread that cancels it sees to it that ``is_cancelled`` before it calls ``kill``, which ends only a
         program that has been sent.
@@ -96,7 +98,7 @@ class BlockingWorker:
         self._next += 1
         self._gone = None
         descriptors = (link.fileno(),) if mailbox is None else (link.fileno(), mailbox.descriptor)
-        self._send(run_request(self._next, source, self.limits.memory), descriptors)
+        self._send(run_request(self._next, source, self.limits.memory, plain), descriptors)
         link.close()
         if is_cancelled():
             self.kill()

@@ -158,6 +158,12 @@ run worker i source memory = do
   mine <- tellWithSocket worker (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory])
   Link mine <$> newIORef ""
 
+-- | The same, of a plain run.
+runPlainly :: Worker -> Value -> Text -> Int -> IO Link
+runPlainly worker i source memory = do
+  mine <- tellWithSocket worker (object ["op" .= ("run" :: Text), "id" .= i, "source" .= source, "memory" .= memory, "plain" .= True])
+  Link mine <$> newIORef ""
+
 -- | Has a run prepared; gives the other end of its link.
 prepare :: Worker -> Value -> Text -> Int -> IO Link
 prepare worker i source memory = do

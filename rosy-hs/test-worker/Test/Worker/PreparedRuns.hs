@@ -45,6 +45,22 @@ tests day borrow =
         length child @?= 1
         withoutTimes prepared @?= withoutTimes usual
         said @?= saidUsually,
+      testCase "a plain run does the same, and is told without warnings, used types and branches; what does not compile is refused all the same" $ do
+        worker <- borrow
+        (usual, saidUsually) <- withRun worker "usual" doubtful runMemory $ \robot -> (,) <$> hear worker <*> threeSteps robot
+        _ <- hear worker
+        (plain, saidPlainly) <- do
+          robot <- runPlainly worker "plain" doubtful runMemory
+          started <- hear worker
+          said <- threeSteps robot
+          closeLink robot
+          (started, said) <$ hear worker
+        forM_ ["problems", "uses", "branches"] $ \name -> assertBool (show usual) (field name usual `notElem` [Null, toJSON ([] :: [Value])])
+        map (`field` plain) ["op", "problems", "uses", "branches"] @?= ["started", toJSON ([] :: [Value]), toJSON ([] :: [Value]), Null]
+        saidPlainly @?= saidUsually
+        robot <- runPlainly worker "wrong" "main = simulate (Velocity True 0)" runMemory
+        hear worker >>= (@?= "refused") . text "op"
+        closeLink robot,
       testCase "a program that waits has the rights of one that runs: filter, capabilities, priority, descriptors" $ do
         worker <- borrow
         robot <- prepare worker "rights" several runMemory
@@ -227,6 +243,10 @@ speaking word = "main = simulate (Say \"" <> word <> "\")\n"
 -- | Random numbers, a memory and branches.
 several :: Text
 several = Text.unlines ["main = simulate (wander, count)", "", "wander :: StdGen -> Seconds -> Velocity", "wander gen t", "  | t < 0.03 = Velocity (fst (randomR (0, 1) gen)) 0", "  | otherwise = Velocity 0 1", "", "count :: Seconds -> Memory Int -> Memory Int", "count _ (Memory n) = Memory (n + 1)"]
+
+-- | It has a warning, branches, and a memory.
+doubtful :: Text
+doubtful = several <> Text.unlines ["", "slow :: Maybe Int -> Int", "slow (Just n) = n"]
 
 -- | Compiling a function of this program allocates some ten megabytes.
 long :: Int -> Text

@@ -150,8 +150,8 @@ data Beginning
   deriving (Eq)
 
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
-runProgram :: Settings -> Session -> Beginning -> Fd -> Link -> SharedPage -> Word64 -> Text -> IO ()
-runProgram settings session beginning answer link page memory source = runToExit answer $ do
+runProgram :: Settings -> Session -> Beginning -> Fd -> Link -> SharedPage -> Order -> IO ()
+runProgram settings session beginning answer link page order = runToExit answer $ do
   began <- getMonotonicTime
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
@@ -159,13 +159,13 @@ runProgram settings session beginning answer link page memory source = runToExit
   enterSandbox settings [answer, linkSocket link]
   when hasLargeArea ((if beginning == AtOnce then setLargeAllocationArea else setAllocationArea) compileAllocationArea)
   when (beginning == WhenAsked) (keepYoung True)
-  (report, mayRun) <- checkSource settings ForRun session source
+  (report, mayRun) <- checkSource settings (if isPlain order then ForPlainRun else ForRun) session source
   let found = problems report
-      uses = usedTypes (parts report)
+      uses = if isPlain order then [] else usedTypes (parts report)
   case mayRun of
     Nothing -> writeAll answer ("R" <> line ("problems" .= found))
     Just (program, places) -> do
-      (branches, launch) <- load session program
+      (branches, launch) <- load session (isPlain order) program
       forgetPrograms session
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
@@ -188,6 +188,8 @@ runProgram settings session beginning answer link page memory source = runToExit
       let Fd fd = linkSocket link
       launch fd page mailbox places
   where
+    source = orderSource order
+    memory = fromIntegral (max 0 (orderMemory order)) :: Word64
     -- For a small program that begins at once a larger area takes more time than it is worth.
     hasLargeArea = beginning == WhenAsked || Text.length source > largeSourceLength
 

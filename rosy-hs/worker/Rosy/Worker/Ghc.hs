@@ -92,7 +92,7 @@ start library = do
   practised <- analyseProgram Restricted ForRun session warmUpProgram
   case ready practised of
     Just sample -> do
-      _ <- load session sample
+      _ <- load session False sample
       -- The linker caches linked names: without this every program's main would be that of the sample.
       forgetPrograms session
     Nothing -> pure ()
@@ -174,8 +174,8 @@ data Analysis = Analysis
 -- | A type-checked program, with its name for @main@, its text, and the places of what the learner wrote in it.
 data Ready = Ready HscEnv ModSummary TcGblEnv Name Text (SrcSpan -> Maybe Placed.Span)
 
--- | Purpose of an analysis: to report problems and types, or to run the program. A check is faster.
-data Purpose = ForCheck | ForRun
+-- | Purpose of an analysis: to report problems and types, to run the program, or to run it without warnings. A check is faster than a run.
+data Purpose = ForCheck | ForRun | ForPlainRun
   deriving (Eq)
 
 -- | Parses and type-checks a program.
@@ -253,11 +253,11 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
   case outcome of
     Nothing -> pure (Analysis (noMain ++ doubtful) found outlined Nothing [] [] [] connectedTopics [] Nothing)
     Just tcg
-      | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose == ForRun -> pure (whole found tcg (readyWith tcg env summary))
+      | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose /= ForCheck -> pure (whole found tcg (readyWith tcg env summary))
       | bad found || hasHoles found -> pure (whole found tcg Nothing)
       | otherwise -> do
         -- The desugarer reports missing cases. Derived code has none.
-        doubts <- desugarDiagnostics env tcg (filter (isWritten . spanOf) (bagToList (tcg_binds tcg)))
+        doubts <- if purpose == ForPlainRun then pure [] else desugarDiagnostics env tcg (filter (isWritten . spanOf) (bagToList (tcg_binds tcg)))
         let raws = found ++ map (fromTypeChecker flags columns) doubts
         pure $
           if bad raws || any isError (noMain ++ endless tcg) || purpose == ForCheck
@@ -279,10 +279,10 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
 -- * Running
 
 -- | Compiles a checked program to bytecode in this process. The result has its branches, and runs it over a link's descriptor, with a shared
--- page for the name of the active function, a mailbox, and the empty places of the program.
-load :: Session -> Ready -> IO ([Branch], CInt -> Ptr Word32 -> Ptr Word32 -> [EmptyPlace] -> IO ())
-load session (Ready env summary checked name source place) = do
-  (instrumented, branches) <- instrumentBranches env place source checked
+-- page for the name of the active function, a mailbox, and the empty places of the program. A plain run has no branches.
+load :: Session -> Bool -> Ready -> IO ([Branch], CInt -> Ptr Word32 -> Ptr Word32 -> [EmptyPlace] -> IO ())
+load session plain (Ready env summary checked name source place) = do
+  (instrumented, branches) <- if plain then pure (checked, []) else instrumentBranches env place source checked
   value <- compileAndLink (addPlugins [taskAttribution] env) summary instrumented name
   -- The type checker has verified that main is an IO action.
   action <- withForeignRef value localRef

@@ -19,7 +19,7 @@ where
 
 import Data.Aeson (Value)
 import Data.List (partition)
-import Data.Text (Text)
+import Rosy.Worker.Protocol (Order)
 import Rosy.Worker.SystemCalls (Link)
 
 data Preparation = Preparation
@@ -31,8 +31,8 @@ data Preparation = Preparation
   deriving (Eq, Show)
 
 data Stage
-  = -- | No child has begun with it: source, bytes of memory of the run.
-    Queued Text Int
+  = -- | No child has begun with it.
+    Queued Order
   | -- | Process id of the child.
     Child Int
   | -- | Its child is no more.
@@ -63,9 +63,9 @@ takePreparation i (Preparations known) = case partition ((== i) . runId) known o
   ([p], others) -> Just (p, Preparations others)
   _ -> Nothing
 
--- | The one that a child can begin with: run, link, source, memory.
-nextPreparation :: Preparations -> Maybe (Value, Link, Text, Int)
-nextPreparation (Preparations known) = case [(runId p, link p, source, memory) | p@Preparation {stage = Queued source memory} <- known] of
+-- | The one that a child can begin with.
+nextPreparation :: Preparations -> Maybe (Value, Link, Order)
+nextPreparation (Preparations known) = case [(runId p, link p, order) | p@Preparation {stage = Queued order} <- known] of
   first : _ -> Just first
   [] -> Nothing
 

@@ -8,6 +8,7 @@
 module Rosy.Worker.Protocol
   ( -- * Requests
     Request (..),
+    Order (..),
     Question (..),
     questionBytes,
     Id,
@@ -29,7 +30,7 @@ module Rosy.Worker.Protocol
   )
 where
 
-import Data.Aeson (Series, Value (..), eitherDecodeStrict', encode, object, pairs, (.:), (.=))
+import Data.Aeson (Series, Value (..), eitherDecodeStrict', encode, object, pairs, (.!=), (.:), (.:?), (.=))
 import Data.Aeson.Encoding (int, list, pair)
 import Data.Aeson.Types (Object, Parser, parseEither)
 import Data.ByteString (ByteString)
@@ -50,17 +51,25 @@ type Id = Value
 
 data Request
   = Ask Id Question
-  | -- | The source and the bytes of memory the run may take.
-    --
-    -- Its link rides along, or has come with 'Prepare'.
-    Run Id Text Int
+  | -- | The link rides along, or has come with 'Prepare'.
+    Run Id Order
   | -- | Compile for a run that may come: as 'Run'.
-    Prepare Id Text Int
+    Prepare Id Order
   | -- | Serve another socket in a forked worker.
     Fork Id
   | Kill Id
   | -- | Liveness probe.
     Ping Id
+  deriving (Eq, Show)
+
+-- | A program to run.
+data Order = Order
+  { orderSource :: Text,
+    -- | Bytes of memory that the run may take.
+    orderMemory :: Int,
+    -- | Whether only what it commands is wanted: neither warnings, nor the types that it uses, nor its branches.
+    isPlain :: Bool
+  }
   deriving (Eq, Show)
 
 -- | A question about a program.
@@ -90,13 +99,14 @@ request i o = do
   case op :: Text of
     "check" -> Ask i . Check <$> source
     "complete" -> (\s l c -> Ask i (Complete s (Position l c))) <$> source <*> o .: "line" <*> o .: "column"
-    "run" -> Run i <$> source <*> o .: "memory"
-    "prepare" -> Prepare i <$> source <*> o .: "memory"
+    "run" -> Run i <$> order
+    "prepare" -> Prepare i <$> order
     "fork" -> pure (Fork i)
     "kill" -> pure (Kill i)
     "ping" -> pure (Ping i)
     other -> fail ("There is no request called " ++ show other ++ ".")
   where
+    order = Order <$> source <*> o .: "memory" <*> o .:? "plain" .!= False
     source = do
       text <- o .: "source"
       if Text.length text > maxSourceLength

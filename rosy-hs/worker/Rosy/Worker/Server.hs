@@ -111,14 +111,14 @@ handle config s (Line bytes)
         own <- evaluate (ByteString.copy fields)
         pure (reply (QuestionAnswered question i own) s {cache = after})
       Nothing -> pure s {waiting = waiting s |> (i, question)}
-    Right (Run i source memory)
-      | Just (preparation, others) <- takePreparation i (preparations s) -> beginPrepared config (RunRequest i source memory (link preparation)) (stage preparation) s {preparations = others}
-    Right (Run i source memory) -> case pendingDescriptors s of
+    Right (Run i order)
+      | Just (preparation, others) <- takePreparation i (preparations s) -> beginPrepared config (RunRequest i order (link preparation)) (stage preparation) s {preparations = others}
+    Right (Run i order) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-      found :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i source memory found}
-    Right (Prepare i source memory) -> case pendingDescriptors s of
+      found :<| others -> pure s {pendingDescriptors = others, waitingRuns = waitingRuns s |> RunRequest i order found}
+    Right (Prepare i order) -> case pendingDescriptors s of
       Empty -> pure (reply (Failed i "A run needs the descriptor of its link.") s)
-      found :<| others -> case addPreparation (Preparation i found (Queued source memory)) (preparations s) of
+      found :<| others -> case addPreparation (Preparation i found (Queued order)) (preparations s) of
         Left sentence -> reply (Failed i (Text.pack sentence)) s {pendingDescriptors = others} <$ closeLink found
         Right more -> pure s {pendingDescriptors = others, preparations = more}
     Right (Fork i) -> case pendingDescriptors s of
@@ -160,8 +160,8 @@ kill i s = do
   mapM_ closeInstead mine
   cancelQuestion i (pool s)
   let (dropped, kept) = Seq.partition ((== i) . fst) (waiting s)
-      (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _ _) -> j == i) (waitingRuns s)
-  forM_ droppedRuns (\(RunRequest _ _ _ dropped') -> closeLink dropped')
+      (droppedRuns, keptRuns) = Seq.partition (\(RunRequest j _ _) -> j == i) (waitingRuns s)
+  forM_ droppedRuns (\(RunRequest _ _ dropped') -> closeLink dropped')
   let ends = length dropped + length droppedRuns
   pure (foldr (\_ -> reply (RunEnded i (Right 9) Nothing Nothing)) s {waiting = kept, waitingRuns = keptRuns, jobs = Map.map (\job -> if jobId job == i then job {instead = Nothing} else job) (jobs s)} [1 .. ends])
 

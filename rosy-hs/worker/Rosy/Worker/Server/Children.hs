@@ -29,7 +29,6 @@ import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import Data.Sequence (Seq (..), (|>))
-import Data.Text (Text)
 import Data.Text.Encoding (decodeUtf8With)
 import Data.Text.Encoding.Error (lenientDecode)
 import GHC.Clock (getMonotonicTime)
@@ -87,22 +86,22 @@ report result s = case result of
 -- | Starts waiting runs while few enough compile. A page has at most one, so pages take turns.
 dispatchRuns :: Config -> Session -> State -> IO State
 dispatchRuns config session s
-  | RunRequest i source memory link :<| others <- waitingRuns s,
+  | RunRequest i order link :<| others <- waitingRuns s,
     length (filter isCompiling (Map.elems (jobs s))) < maxConcurrentChecks config =
-    startRun config session i source memory link s {waitingRuns = others} >>= dispatchRuns config session
+    startRun config session i order link s {waitingRuns = others} >>= dispatchRuns config session
   | otherwise = pure s
 
-startRun :: Config -> Session -> Id -> Text -> Int -> Link -> State -> IO State
-startRun config session i source memory link s = do
-  (_, begun) <- forkRun config session AtOnce i source memory link s
+startRun :: Config -> Session -> Id -> Order -> Link -> State -> IO State
+startRun config session i order link s = do
+  (_, begun) <- forkRun config session AtOnce i order link s
   begun <$ closeLink link
 
 -- | A child that compiles and runs a program.
-forkRun :: Config -> Session -> Beginning -> Id -> Text -> Int -> Link -> State -> IO (Int, State)
-forkRun config session beginning i source memory link s = do
+forkRun :: Config -> Session -> Beginning -> Id -> Order -> Link -> State -> IO (Int, State)
+forkRun config session beginning i order link s = do
   (mine, theirs) <- newSocketPair
   shared <- newSharedPage
-  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs link shared (fromIntegral (max 0 memory)) source)
+  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs link shared order)
   unmapInChildren shared
   closeFd theirs
   now <- getMonotonicTime
@@ -127,10 +126,10 @@ forkRun config session beginning i source memory link s = do
 -- | Compiles a program that may be run, one at a time, while there is nothing else to do.
 dispatchPreparations :: Config -> Session -> State -> IO State
 dispatchPreparations config session s
-  | Just (i, link, source, memory) <- nextPreparation (preparations s),
+  | Just (i, link, order) <- nextPreparation (preparations s),
     not (isBusy s),
     not (any isPreparing (jobs s)) = do
-    (pid, begun) <- forkRun config session WhenAsked i source memory link s
+    (pid, begun) <- forkRun config session WhenAsked i order link s
     pure begun {preparations = withChild i pid (preparations begun)}
   | otherwise = pure s
 

@@ -78,8 +78,8 @@ data Job = Job
     compilerFailure :: Text
   }
 
--- | A run that waits for others to be compiled: id, source, bytes of memory, link.
-data RunRequest = RunRequest Id Text Int Link
+-- | A run that waits for others to be compiled.
+data RunRequest = RunRequest Id Order Link
 
 -- | A worker to be forked: id, socket.
 data ForkRequest = ForkRequest Id Fd
@@ -136,4 +136,4 @@ signal what pid = signalProcess what (fromIntegral pid)
 
 -- | Closes the link that is kept in case that a prepared child is lost.
 closeInstead :: Job -> IO ()
-closeInstead job = forM_ (instead job) (\(RunRequest _ _ _ link) -> closeLink link)
+closeInstead job = forM_ (instead job) (\(RunRequest _ _ kept) -> closeLink kept)
