@@ -119,7 +119,7 @@ effort (MotorCurrent left _) = if left > 0.5 then Just (Say (show (round (left *
 main :: IO ()
 main = do
   [_, descriptor] <- getArgs
-  onPipe (read descriptor) nullPtr [] [] (simulate (Velocity 0.5 0, effort))
+  onPipe (read descriptor) nullPtr nullPtr [] [] (simulate (Velocity 0.5 0, effort))
 """
 
 RUN = """

@@ -22,6 +22,7 @@ module Test.Worker.Client
     -- * Requests
     check,
     run,
+    runPlainly,
     prepare,
     begin,
     kill,
