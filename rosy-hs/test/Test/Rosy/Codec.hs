@@ -4,7 +4,7 @@
 module Test.Rosy.Codec (tests) where
 
 import qualified Data.Aeson as Aeson
-import Data.Aeson.Encoding (encodingToLazyByteString)
+import Data.Aeson.Encoding (double, encodingToLazyByteString)
 import qualified Data.ByteString.Lazy.Char8 as Lazy
 import Data.Maybe (isJust)
 import qualified Data.Text as Text
@@ -32,6 +32,9 @@ tests =
             (mapping, route) <- zip (robotMappings robot) (routes robot variables),
             not (routeHasLevels route)
         ],
+      testProperty "writes a number as aeson does, to the last byte" $
+        forAll (oneof [arbitrary, choose (-20, 20), elements [0, -0.0, 0.1, 1e7, 1e-2, 1 / 0, -1 / 0, 0 / 0], (\n -> fromIntegral (n :: Int) / 1000) <$> arbitrary]) $ \x ->
+          encodingToLazyByteString (encodeFields [At [Key (Text.pack "x")] (ANumber 1)] [] [Number x]) === Lazy.concat [Lazy.pack "{\"x\":", encodingToLazyByteString (double x), Lazy.pack "}"],
       testCase "leaves no variable in a topic or a type" $
         [t | robot <- robots, (_, variables) <- robotProfiles robot, route <- routes robot variables, t <- [routeTopic route, routeType route], Text.any (`elem` "{}") t] @?= [],
       testCase "reads every channel of a topic that has several, and those whose fields are there" $ do
