@@ -30,6 +30,7 @@ import uvloop
 
 from ..config import Config
 from ..web.app import build_app
+from ..web.garbage_collection import keep_what_is_loaded
 from ..web.pacing.paced_frames import paced_frames
 from ..web.service import Service
 from ..world.time_step import STEP
@@ -39,6 +40,10 @@ __all__ = ["IN_TIME", "Cost", "Drivers", "Turn", "drive", "report", "take_turns"
 
 IN_TIME = STEP
 """A step that begins later than the next one was due is late, s."""
+
+_CATCHING_UP = 3.0
+"""From the moment in which the last page drives to the measurement, s. While the programs of all pages are compiled the
+first ones fall behind, and then they catch up."""
 
 _SHOWN = 12
 """Lines of a profile."""
@@ -115,6 +120,8 @@ def drive(config: Config, drivers: Drivers, profiler: cProfile.Profile | None = 
 
 async def _measure(config: Config, drivers: Drivers, profiler: cProfile.Profile | None) -> Cost:
     async with _driving(config, drivers) as driving:
+        await asyncio.sleep(min(_CATCHING_UP, drivers.seconds))
+        await driving.received()
         driving.service.lateness.clear()
         before, theirs_before = driving.processor_time()
         began = time.perf_counter()
@@ -238,6 +245,8 @@ async def _driving(config: Config, drivers: Drivers) -> AsyncIterator[_Driving]:
     serving = asyncio.create_task(server.serve())
     while not (server.started and service.worker.state == "ready"):  # noqa: ASYNC110 (nothing to wait on)
         await asyncio.sleep(0.02)
+    # As the service does when it is started.
+    keep_what_is_loaded()
     port = server.servers[0].sockets[0].getsockname()[1]
     ours, theirs = multiprocessing.Pipe()
     pages = multiprocessing.get_context("spawn").Process(
