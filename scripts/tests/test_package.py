@@ -75,6 +75,15 @@ def test_nothing_in_it_looks_for_the_folder_that_it_was_built_in(contents: Path)
         assert "dist-newstyle" not in read, file
 
 
+def test_what_was_compiled_here_is_in_it(contents: Path) -> None:
+    (service,) = contents.rglob("sim-service")
+    here, there = ROOT / ".rosy/compiled", service.parent / ".rosy/compiled"
+    assert {file.relative_to(here) for file in here.rglob("*")} == {file.relative_to(there) for file in there.rglob("*")}
+    # The sources that it was made of, so that it is taken.
+    for module in ("world/world.py", "run/steps/lockstep.py"):
+        assert (service / "rosy_sim" / module).read_bytes() == (ROOT / "sim-service/rosy_sim" / module).read_bytes()
+
+
 def test_an_installed_rosy_runs_a_program(contents: Path, tmp_path: Path) -> None:
     (tmp_path / "move.hs").write_text(PROGRAM)
     installed = contents / "usr/lib/rosy"
