@@ -1,7 +1,8 @@
 """
 ``compile_service.py FOLDER``: compiles the modules of the service that compute in each step (``rosy_sim.compiled_modules``).
 
-Out: FOLDER with an extension for the interpreter that runs this. Needs mypyc, setuptools, a C compiler and Python's headers.
+Out: FOLDER with an extension for the interpreter that runs this. Needs mypyc, setuptools and `sim-service` on
+Python's path, a C compiler and Python's headers.
 """
 
 from __future__ import annotations
@@ -12,12 +13,11 @@ import tempfile
 from pathlib import Path
 
 from mypyc.build import mypycify
+from rosy_sim.compiled_modules import MODULES, SOURCES, fingerprint
 from setuptools import setup
 
 ROOT = Path(__file__).parents[1]
-sys.path.insert(0, str(ROOT / "sim-service"))
 
-from rosy_sim.compiled_modules import MODULES, SOURCES, fingerprint  # noqa: E402 (found by the line before)
 
 __all__ = ["main"]
 
@@ -25,7 +25,7 @@ __all__ = ["main"]
 def main() -> int:
     """Write the folder; returns the exit status."""
     folder = Path(sys.argv[1]).absolute()
-    print_of_sources = fingerprint()
+    compiled_from = fingerprint()
     os.chdir(ROOT / "sim-service")
     # What a loop of some thousand steps costs hardly differs between this level and the next; compiling takes longer there.
     os.environ["CFLAGS"] = "-g0 -O1"
@@ -44,8 +44,9 @@ def main() -> int:
             script_args=["build_ext", f"--build-lib={folder}", f"--build-temp={temporary}/build", f"--parallel={len(os.sched_getaffinity(0))}"],
         )
     # Last: without it nothing is taken from the folder.
-    (folder / SOURCES).write_text(print_of_sources)
+    (folder / SOURCES).write_text(compiled_from)
     return 0
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -174,9 +174,10 @@ compiled_sources() {
 # Where this cannot be done the sources are interpreted, with the same results: the folder stays empty.
 do_compiled() {
   local compiled="$ROSY_STATE/compiled" tools="$ROSY_STATE/compiler"
-  rm -rf "$compiled" "$tools" && mkdir -p "$compiled" &&
-    pip_install --target "$tools" -r "$ROSY_ROOT/sim-service/requirements-compile.lock" &&
-    PYTHONPATH="$tools" "$ROSY_PYTHON" "$ROSY_ROOT/scripts/compile_service.py" "$compiled"
+  rm -rf "$compiled" "$tools" && mkdir -p "$compiled" "$tools" &&
+    # The tools of the tests have it. Without a network it is not waited for.
+    { "$ROSY_PYTHON" -c 'import mypyc, setuptools' || pip_install --retries 1 --target "$tools" -r "$ROSY_ROOT/sim-service/requirements-compile.lock"; } &&
+    PYTHONPATH="$tools:$ROSY_ROOT/sim-service" "$ROSY_PYTHON" "$ROSY_ROOT/scripts/compile_service.py" "$compiled"
   rm -rf "$tools"
 }
 do_node() {
@@ -332,7 +333,7 @@ perform_all() {
       apt-*) print_of "$name" >"$ROSY_STATE/stamps/$name" ;;
       *) step "$name" "$(print_of "$name")" "$(sentence_of "$name")" "do_$name" ;;
     esac
-    case "$name" in compiled) [ -f "$ROSY_STATE/compiled/sources" ] || say "This could not be compiled; runs take about twice as long. The log is in {file}." file .rosy/log/compiled.log ;; esac
+    case "$name" in compiled) [ -f "$ROSY_STATE/compiled/sources" ] || say "What the simulator computes in each step could not be compiled; runs take about twice as long. The log is in {file}; to try again, remove {folder}." file .rosy/log/compiled.log folder .rosy/compiled ;; esac
   done
 }
 

@@ -93,8 +93,11 @@ def machine(folder: Path, name: str = "rosy") -> Machine:
     for tool, script in COMPLETE.items():
         made.tool(tool, script)
     # The interpreter's own name does not matter, the page of names is made by it.
-    made.tool(
-        "python3", COMPLETE["python3"] + '\ncase "$*" in *api_docs*) mkdir -p "$2"; touch "$2/Rosy.html" ;; *compile_service*) touch "$2/sources" ;; esac'
-    )
+    makes = """case "$*" in
+*api_docs*) mkdir -p "$2"; touch "$2/Rosy.html" ;;
+*compile_service*) touch "$2/sources" ;;
+*"import mypyc"*) exit 1 ;;
+esac"""
+    made.tool("python3", COMPLETE["python3"] + "\n" + makes)
     os.makedirs(folder / "tmp", exist_ok=True)
     return made

@@ -14,10 +14,12 @@ import pytest
 
 from rosy_sim.worker.mailbox import Mailbox
 
-__all__ = ["answer_batches", "needs_mailbox"]
+__all__ = ["CAN_HAVE_MAILBOX", "answer_batches", "needs_mailbox"]
+
+CAN_HAVE_MAILBOX = sys.platform == "linux" and platform.machine() == "x86_64"
 
 needs_mailbox = pytest.mark.skipif(
-    sys.platform != "linux" or platform.machine() != "x86_64",
+    not CAN_HAVE_MAILBOX,
     reason="a mailbox needs a processor that keeps the order of writes",
 )
 

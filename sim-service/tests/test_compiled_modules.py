@@ -81,6 +81,11 @@ def test_a_run_is_the_same_to_the_last_byte_whether_its_modules_are_compiled_or_
     assert compiled[1] == interpreted[1]
 
 
+def test_what_was_to_be_compiled_was_compiled() -> None:
+    # Without the folder nobody has tried yet; with it and without the file it failed, and `./rosy` went on.
+    assert not COMPILED.is_dir() or (COMPILED / SOURCES).is_file(), "see .rosy/log/compiled.log"
+
+
 def test_modules_of_other_sources_are_not_taken(tmp_path: Path) -> None:
     before = list(sys.meta_path)
     assert not install(tmp_path / "nothing")

@@ -121,12 +121,6 @@ void *rosy_page(void) {
 
 void rosy_page_free(void *page) { munmap(page, 4096); }
 
-/* The mailbox of a program in a file of memory (Rosy.Link.Mailbox), NULL when it is none. */
-void *rosy_mailbox(int fd) {
-  void *box = mmap(NULL, 65536, PROT_READ | PROT_WRITE, MAP_SHARED, fd, 0);
-  return box == MAP_FAILED ? NULL : box;
-}
-
 /* To be called in the parent after the fork: children forked from now on do not see this page. */
 void rosy_page_keep(void *page) { madvise(page, 4096, MADV_DONTFORK); }
 

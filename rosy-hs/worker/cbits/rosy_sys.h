@@ -19,7 +19,6 @@ double rosy_processor_time(int pid);
 void *rosy_page(void);
 void rosy_page_free(void *page);
 void rosy_page_keep(void *page);
-void *rosy_mailbox(int fd);
 int rosy_pair(int *ends);
 int rosy_write_all(int fd, const char *buffer, size_t size);
 

@@ -92,7 +92,7 @@ def _run(config: Config, row: _Row) -> tuple[float, float, float]:
 
     with BlockingWorker(config) as worker:
         worker.ready()
-        settings = RunSettings(_SECONDS, 1, limits=config.limits, polls=True)
+        settings = RunSettings(_SECONDS, 1, limits=config.limits, busy_waits=True)
         world = World(usable_arena(named_world(row.world), row.world), DEFAULT_ROBOT)
         began = time.process_time()
         outcome = run_program(worker, row.source, world, settings, RunOutput(observe=observe))

@@ -89,7 +89,7 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         actions=tuple(read_inputs(options.input)) if options.input is not None else (),
         limits=config.limits,
         safety=safety_of(options),
-        polls=True,
+        busy_waits=True,
     )
     world = World(arena, DEFAULT_ROBOT, settings.seed)
     moment = moment_of(options.explain)

@@ -28,7 +28,7 @@ from ..world.time_step import STEP
 from ..world.world import World
 from .computing_budget import ComputingBudget
 
-__all__ = ["KnownRoom", "PathRecorder", "PreviewTask", "preview_over_link", "preview_settings", "refused_preview"]
+__all__ = ["PathRecorder", "PreviewTask", "RoomCache", "preview_over_link", "preview_settings", "refused_preview"]
 
 _POINT_DISTANCE = 0.02
 """Between two points of a path, m: less than a pixel of a picture of a whole room."""
@@ -88,22 +88,22 @@ class PathRecorder:
 def preview_settings(task: PreviewTask, limits: Limits) -> RunSettings:
     """How a preview is run."""
     hands = tuple((step * STEP, action) for step, action in read_hands(task.hands))
-    return RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, polls=True)
+    return RunSettings(task.seconds, task.seed, None, hands, limits, task.safety, busy_waits=True)
 
 
-class KnownRoom:
-    """The room of the latest preview: reading it and building its walls takes some milliseconds."""
+class RoomCache:
+    """Cache of one room, that of the latest preview: reading it and building its walls takes some milliseconds."""
 
     def __init__(self) -> None:
-        self._told: Any = None
+        self._json: Any = None
         self._arena: Arena | None = None
         self._obstacles: Obstacles | None = None
 
-    def world(self, told: Any, seed: int) -> World:
-        """A robot in a room that was told as JSON."""
-        if self._arena is None or told != self._told:
-            self._arena = read_arena(told)
-            self._told = told
+    def world(self, room: Any, seed: int) -> World:
+        """A robot in a room, which is given as JSON."""
+        if self._arena is None or room != self._json:
+            self._arena = read_arena(room)
+            self._json = room
             self._obstacles = None
         world = World(self._arena, DEFAULT_ROBOT, seed, self._obstacles)
         # Things that can be pushed do not stand where they stood.

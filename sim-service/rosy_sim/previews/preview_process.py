@@ -22,7 +22,7 @@ from ..wire.page import Previewed
 from ..wire.worker import Refused
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
-from .preview import KnownRoom, PreviewTask, preview_over_link, preview_settings, refused_preview
+from .preview import PreviewTask, RoomCache, preview_over_link, preview_settings, refused_preview
 
 __all__ = ["main"]
 
@@ -64,11 +64,11 @@ def main() -> int:
                 worker.ready()
                 lines.worker = worker
                 write_line(b"")
-                room = KnownRoom()
+                rooms = RoomCache()
                 while True:
                     line, cancelled = lines.tasks.get()
                     task = msgspec.json.decode(line, type=PreviewTask)
-                    write_line(msgspec.json.encode(_preview(worker, room, task, setup.limits, cancelled)))
+                    write_line(msgspec.json.encode(_preview(worker, rooms, task, setup.limits, cancelled)))
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status
@@ -76,7 +76,7 @@ def main() -> int:
 
 
 def _preview(
-    worker: BlockingWorker, room: KnownRoom, task: PreviewTask, limits: Limits, cancelled: threading.Event
+    worker: BlockingWorker, rooms: RoomCache, task: PreviewTask, limits: Limits, cancelled: threading.Event
 ) -> Previewed:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     settings = preview_settings(task, limits)
@@ -85,7 +85,7 @@ def _preview(
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
         found = preview_over_link(
-            task, settings, room.world(task.world, task.seed), ours, worker, cancelled.is_set, mailbox
+            task, settings, rooms.world(task.world, task.seed), ours, worker, cancelled.is_set, mailbox
         )
     # Answers about a run that is over are passed over by the next one.
     worker.kill()

@@ -2,8 +2,8 @@
 Core affinity of a lockstep: where the thread of a run and the process of its program compute.
 
 The pair shares one core: of the two one computes while the other waits, and waking a process on the same core costs
-least. With a mailbox, a program that is asked often, or has just begun, is put on a core of its own, and both wait
-actively: then neither has to be woken, and each keeps its cache. That takes two cores for the work of one. While other
+least. With a mailbox, a program that is asked often, or has just begun, is put on a core of its own, and both
+busy-wait: then neither has to be woken, and each keeps its cache. That takes two cores for the work of one. While other
 work keeps their cores busy the pair is free to move, as the scheduler decides. The affinity that this thread and the
 program were given is never exceeded, and is restored at the end.
 """
@@ -38,7 +38,7 @@ SELDOM = 5
 each fifth."""
 
 Placement = Literal["free", "shared", "separate"]
-"""On any core, on one core, or each on its own and waiting actively."""
+"""On any core, on one core, or each on its own and busy-waiting."""
 
 
 class CoreAffinity:
@@ -134,7 +134,7 @@ class CoreAffinity:
             self._assign_both("free", self._ours, self._theirs)
             return
         self.placement = placement
-        self._link.waits_actively = placement == "separate"
+        self._link.busy_waits = placement == "separate"
 
     def _waiting_time(self) -> float:
         """How long this thread and the program were ready and waited for a core, s; 0 where that is not known."""

@@ -76,14 +76,17 @@ class RunSettings:
     skips_quiet: bool = True
     # Whether the program and this thread are given their cores; False only for comparison.
     pins: bool = True
-    # Whether both may wait actively, each on a core of its own: for one run, for which a person waits.
-    polls: bool = False
+    # Whether both may busy-wait, each on a core of its own: for one run, for which a person waits.
+    busy_waits: bool = False
 
     def open_mailbox(self) -> contextlib.AbstractContextManager[Mailbox | None]:
-        """A mailbox for the program, if both may wait actively."""
-        # A run that waits for the clock gains nothing.
-        may_poll = self.polls and self.pins and self.speed is None
-        return (open_mailbox() if may_poll else None) or contextlib.nullcontext()
+        """A mailbox for the program, if both may busy-wait."""
+        return (open_mailbox() if self.busy_waits and self.is_pinned else None) or contextlib.nullcontext()
+
+    @property
+    def is_pinned(self) -> bool:
+        """Whether both are given cores. A run that waits for the clock gains nothing from it."""
+        return self.pins and self.speed is None
 
 
 @dataclass(frozen=True, slots=True)
@@ -192,9 +195,8 @@ def run_over_link(
     began = time.perf_counter()
     ended: Ended = "error"
     try:
-        # A run that waits for the clock gains nothing.
         program_link = ProgramLink(link, mailbox)
-        with CoreAffinity(program_link, settings.pins and settings.speed is None) as core:
+        with CoreAffinity(program_link, settings.is_pinned) as core:
             ended, problems = _Steps(program_link, lockstep, settings, output, core).run()
     except _Stuck:
         program.kill()

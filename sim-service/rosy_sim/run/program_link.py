@@ -1,7 +1,7 @@
 """
 Link of a lockstep: this thread's end of the socket to a program, and their mailbox if they have one.
 
-``waits_actively`` says whether both wait in the mailbox, each on a core of its own. A change of it is announced with
+``busy_waits`` says whether both busy-wait in the mailbox, each on a core of its own. A change of it is announced with
 the next batch and holds from the one after that.
 """
 
@@ -26,11 +26,11 @@ _TIMEVAL = struct.Struct("@ll")
 _CREDENTIALS = struct.Struct("3i")
 """``struct ucred``: process, user and group of a sender. unix(7)."""
 
-LOOKS = 3000
+SPINS = 3000
 """Looks into the mailbox after which an answer is late: some 0.1 ms, several times what a program takes for a step."""
 
 _PATIENCE = 0.002
-"""For how long this thread waits actively for an answer that is late, s: several times what collecting garbage takes.
+"""For how long this thread busy-waits for an answer that is late, s: several times what collecting garbage takes.
 Then it looks once in a millisecond."""
 
 
@@ -40,9 +40,9 @@ class ProgramLink:
     def __init__(self, link: socket.socket, mailbox: Mailbox | None = None) -> None:
         # Reads what the program says. Raises BlockingIOError when it says nothing in time.
         self.receive: Callable[[], bytes] = self.read
-        # Whether both may wait actively, and whether they are to.
+        # Whether both may busy-wait, and whether they are to.
         self.has_mailbox = mailbox is not None
-        self.waits_actively = False
+        self.busy_waits = False
         # The process at the other end; 0 when it is not known.
         self.program = 0
         # Reads since the last review, and those of them for which this thread looked into the mailbox in vain.
@@ -81,11 +81,11 @@ class ProgramLink:
             self._link.sendall(batch)
             return
         is_expected = self._is_expected
-        if is_expected is not self.waits_actively:
-            self._is_expected = self.waits_actively
-            mailbox.expect(self.waits_actively)
+        if is_expected is not self.busy_waits:
+            self._is_expected = self.busy_waits
+            mailbox.expect(self.busy_waits)
         if is_expected and mailbox.put_batch(batch):
-            self.receive = self._look
+            self.receive = self._spin
         else:
             self.receive = self.read
             self._link.sendall(batch)
@@ -109,12 +109,12 @@ class ProgramLink:
                 self.program = _CREDENTIALS.unpack(found[: _CREDENTIALS.size])[0]
         return data
 
-    def _look(self) -> bytes:
-        """Wait actively for an answer in the mailbox."""
+    def _spin(self) -> bytes:
+        """Busy-wait for an answer in the mailbox."""
         self.reads += 1
         mailbox = self._mailbox
         assert mailbox is not None
-        answer = mailbox.take_answer(LOOKS)
+        answer = mailbox.take_answer(SPINS)
         if answer:
             return answer
         self.slept += 1

@@ -3,7 +3,7 @@ Mailbox of a lockstep: memory that this process and a program share, for the byt
 section 2).
 
 While both have a core of their own, neither makes a system call: each writes the bytes of its turn there, then their
-length, for which the other waits actively. What does not fit goes over the link. Only on Linux, and on processors that
+length, for which the other busy-waits. What does not fit goes over the link. Only on Linux, and on processors that
 keep the order of writes: x86-64.
 """
 
@@ -68,7 +68,7 @@ class Mailbox:
         words[_BATCH_LENGTH] = size
         return True
 
-    def take_answer(self, looks: int) -> bytes:
+    def take_answer(self, spins: int) -> bytes:
         """
         The answer to the latest batch; empty when it is not there after so many looks.
 
@@ -76,7 +76,7 @@ class Mailbox:
             LinkError: the program says that it is longer than the mailbox.
         """
         words = self._words
-        for _ in range(looks):
+        for _ in range(spins):
             size = words[_ANSWER_LENGTH]
             if size:
                 words[_ANSWER_LENGTH] = 0

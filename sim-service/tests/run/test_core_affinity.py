@@ -175,7 +175,7 @@ def test_a_pair_whose_program_takes_long_shares_one_core(waited: list[float], mo
     with program_with_mailbox() as (link, _), CoreAffinity(link) as core:
         ask(link, core)
         # Every look into the mailbox is in vain.
-        monkeypatch.setattr(program_link, "LOOKS", 0)
+        monkeypatch.setattr(program_link, "SPINS", 0)
         waited[:] = [1.0, 0.0]
         ask(link, core)
         assert core.placement == "shared"

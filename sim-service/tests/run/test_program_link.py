@@ -48,7 +48,7 @@ def program(mailbox: Mailbox, answer: Callable[[bytes], bytes], limit: float = 1
 def said(link: ProgramLink, batch: bytes) -> tuple[bytes, bool]:
     """The whole answer to a batch, and whether it came in the mailbox."""
     link.send_batch(batch)
-    looks = link.receive == link._look
+    looks = link.receive == link._spin
     found = link.receive()
     while not found.endswith(b"!"):
         looks = False
@@ -61,9 +61,9 @@ def test_the_mailbox_is_used_from_the_batch_after_the_announcement_on_and_no_lon
 ) -> None:
     with program(mailbox, lambda batch: b"<" + batch + b">!") as link:
         answers = [said(link, b"0")]
-        link.waits_actively = True
+        link.busy_waits = True
         answers += [said(link, b"1"), said(link, b"2"), said(link, b"3")]
-        link.waits_actively = False
+        link.busy_waits = False
         answers += [said(link, b"4"), said(link, b"5")]
     assert answers == [
         (b"<0>!", False),
@@ -78,7 +78,7 @@ def test_the_mailbox_is_used_from_the_batch_after_the_announcement_on_and_no_lon
 @pytest.mark.parametrize("size", [1, ANSWER - BATCH, ANSWER - BATCH + 1, 500_000])
 def test_a_batch_that_does_not_fit_goes_over_the_link(mailbox: Mailbox, size: int) -> None:
     with program(mailbox, lambda batch: b"%d!" % len(batch)) as link:
-        link.waits_actively = True
+        link.busy_waits = True
         said(link, b"first")
         # Over the link it may come in pieces, each of which this program answers.
         link.send_batch(b"x" * size)
@@ -91,24 +91,24 @@ def test_a_batch_that_does_not_fit_goes_over_the_link(mailbox: Mailbox, size: in
 @pytest.mark.parametrize("size", [1, SIZE - ANSWER, SIZE - ANSWER + 1, 300_000])
 def test_an_answer_that_does_not_fit_goes_over_the_link(mailbox: Mailbox, size: int) -> None:
     with program(mailbox, lambda _: b"x" * (size - 1) + b"!") as link:
-        link.waits_actively = True
+        link.busy_waits = True
         said(link, b"first")
         found, _ = said(link, b"second")
         assert len(found) == size
 
 
 def test_an_answer_that_is_late_is_waited_for(mailbox: Mailbox, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(program_link, "LOOKS", 0)
+    monkeypatch.setattr(program_link, "SPINS", 0)
     monkeypatch.setattr(program_link, "_PATIENCE", 0.0)
     with program(mailbox, lambda batch: batch + b"!") as link:
-        link.waits_actively = True
+        link.busy_waits = True
         assert [said(link, b"%d" % n)[0] for n in range(5)] == [b"%d!" % n for n in range(5)]
         assert link.slept == 4
 
 
 def test_a_program_that_says_nothing_is_not_waited_for_longer_than_the_limit(mailbox: Mailbox) -> None:
     with program(mailbox, lambda batch: b"first!" if batch == b"first" else b"", limit=0.05) as link:
-        link.waits_actively = True
+        link.busy_waits = True
         said(link, b"first")
         link.send_batch(b"second")
         with pytest.raises(BlockingIOError):
@@ -125,7 +125,7 @@ def test_what_a_program_leaves_before_it_ends_is_read_first(mailbox: Mailbox) ->
 
     memory = mailbox._memory
     with program(mailbox, last) as link:
-        link.waits_actively = True
+        link.busy_waits = True
         said(link, b"first")
         link.send_batch(b"second")
         assert link.receive() == b"last!"
@@ -140,7 +140,7 @@ def test_an_answer_out_of_turn_is_none(mailbox: Mailbox) -> None:
         return batch + b"!"
 
     with program(mailbox, eager) as link:
-        link.waits_actively = True
+        link.busy_waits = True
         assert said(link, b"first") == (b"first!", False)
         assert said(link, b"second") == (b"second!", True)
 

@@ -12,7 +12,7 @@ from statistics import median
 import pytest
 
 from rosy_sim.config import Limits, discover
-from rosy_sim.previews.preview import KnownRoom, PreviewTask, preview_over_link, preview_settings
+from rosy_sim.previews.preview import PreviewTask, RoomCache, preview_over_link, preview_settings
 from rosy_sim.run.steps.hands import write_hands
 from rosy_sim.run.steps.velocity_guard import OFF
 from rosy_sim.wire.page import Previewed
@@ -48,7 +48,7 @@ def preview(worker: BlockingWorker, name: str, seed: int, source: str = "", limi
         assert isinstance(worker.run(source or own, theirs), Started)
         task = PreviewTask(1, source or own, named_world(world), seed, SECONDS, OFF, write_hands(HANDS))
         found = preview_over_link(
-            task, preview_settings(task, limits), KnownRoom().world(task.world, task.seed), ours, worker, lambda: False
+            task, preview_settings(task, limits), RoomCache().world(task.world, task.seed), ours, worker, lambda: False
         )
     worker.kill()
     return found

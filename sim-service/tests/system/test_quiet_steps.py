@@ -19,6 +19,7 @@ from rosy_sim.world.events import Lift, Press, Teleport, UserAction
 from rosy_sim.world.world import World
 from rosy_sim.worlds.gallery import named_world, usable_arena
 
+from ..mailboxes import CAN_HAVE_MAILBOX
 from .real_runs import LIMITS, program, worker_started
 from .test_real import PROGRAMS
 
@@ -93,8 +94,9 @@ def ran(worker: BlockingWorker, source: str, world: dict[str, Any], *, skips: bo
     def observe(lockstep: Lockstep) -> None:
         nonlocal asked
         asked += not lockstep.was_quiet
+        assert lockstep.state == "ended" or lockstep.uses_mailbox is (settings.busy_waits and CAN_HAVE_MAILBOX)
 
-    settings = replace(RunSettings(8.0, 3, None, tuple(HANDS), LIMITS), skips_quiet=skips, polls=not skips)
+    settings = replace(RunSettings(8.0, 3, None, tuple(HANDS), LIMITS), skips_quiet=skips, busy_waits=not skips)
     outcome = run_program(worker, source, place, settings, RunOutput(said.append, trace, observe))
     worker.kill()
     assert outcome.ended != "refused", outcome.problems

@@ -5,7 +5,7 @@
 -- Description : Mailbox of a lockstep: memory that the simulator and a program share, for the bytes of a step.
 --
 -- For as long as both have a core of their own, neither makes a system call: each writes the bytes of its turn there, and then their
--- length, for which the other waits actively. What does not fit goes over the link, and so does everything when the simulator says so in
+-- length, for which the other busy-waits. What does not fit goes over the link, and so does everything when the simulator says so in
 -- the mailbox. Only on processors that keep the order of writes (x86-64). The layout is that of @protocol/README.md@ section 2.
 module Rosy.Link.Mailbox
   ( Mailbox,
@@ -40,9 +40,7 @@ noMailbox = nullPtr
 
 foreign import ccall unsafe "mmap" c_mmap :: Ptr () -> CSize -> CInt -> CInt -> CInt -> Int64 -> IO (Ptr Word32)
 
-foreign import ccall unsafe "poll" c_poll :: Ptr () -> CULong -> CInt -> IO CInt
-
-foreign import ccall safe "poll" c_sleep :: Ptr () -> CULong -> CInt -> IO CInt
+foreign import ccall safe "poll" c_poll :: Ptr () -> CULong -> CInt -> IO CInt
 
 -- | The mailbox in a file of memory. Throws an 'IOError' when the descriptor is none.
 mapMailbox :: CInt -> IO Mailbox
@@ -71,27 +69,21 @@ isExpectedIn box
   | box == nullPtr = pure False
   | otherwise = (/= 0) <$> peek (word box expectedAt)
 
--- | The next batch; nothing when there is something to read on the link instead. Waits actively for some 5 ms, longer than the simulator
+-- | The next batch; nothing when there is something to read on the link instead. Busy-waits for some 5 ms, longer than the simulator
 -- sleeps between two looks, and then looks once in a millisecond.
 takeBatch :: CInt -> Mailbox -> IO (Maybe ByteString)
-takeBatch link box = look activeLooks
+takeBatch link box = spin spinLimit
   where
-    look :: Int -> IO (Maybe ByteString)
-    look left = do
-      size <- peek (word box batchLengthAt)
-      if size /= 0 then Just <$> takeOut (fromIntegral size) else if left == 0 then sleep else look (left - 1)
-    sleep = do
-      hasMore <- hasBytes link
-      size <- peek (word box batchLengthAt)
-      if size /= 0 then Just <$> takeOut (fromIntegral size) else if hasMore then pure Nothing else sleep
-    takeOut size = do
-      bytes <- Internal.create (min size (answerAt - batchAt)) (\p -> copyBytes p (box `plusPtr` batchAt) (min size (answerAt - batchAt)))
-      poke (word box batchLengthAt) 0
-      pure bytes
+    spin :: Int -> IO (Maybe ByteString)
+    spin left = do
+      size <- fromIntegral <$> peek (word box batchLengthAt)
+      if size /= 0 then Just <$> takeOut size else if left > 0 then spin (left - 1) else sleep
+    sleep = hasBytes link >>= \hasMore -> if hasMore then pure Nothing else spin 0
+    takeOut size = Internal.create size (\p -> copyBytes p (box `plusPtr` batchAt) size) <* poke (word box batchLengthAt) 0
 
 -- | How often the program looks before it sleeps.
-activeLooks :: Int
-activeLooks = 5000000
+spinLimit :: Int
+spinLimit = 5000000
 
 -- | Whether a descriptor has something to read within a millisecond.
 hasBytes :: CInt -> IO Bool
@@ -99,8 +91,7 @@ hasBytes descriptor = allocaBytes 8 $ \entry -> do
   -- `struct pollfd`: descriptor, events asked for (POLLIN), events found. poll(2).
   poke (castPtr entry) descriptor
   poke (castPtr (entry `plusPtr` 4)) (1 :: Int16)
-  now <- c_poll entry 1 0
-  if now > 0 then pure True else (> 0) <$> c_sleep entry 1 1
+  (> 0) <$> c_poll entry 1 1
 
 -- | Leaves an answer there, if it fits.
 putAnswer :: Mailbox -> Builder -> IO Bool

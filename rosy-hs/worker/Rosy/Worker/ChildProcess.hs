@@ -30,6 +30,7 @@ import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Data.Word (Word64)
 import GHC.Clock (getMonotonicTime)
+import Rosy.Link.Mailbox (mapMailbox, noMailbox)
 import Rosy.Worker.Explanation (explainAll, withoutHiddenEnds)
 import Rosy.Worker.Explanation.EmptyPlaces (emptyPlaces)
 import Rosy.Worker.Ghc
@@ -155,7 +156,7 @@ runProgram settings session beginning answer link page order = runToExit answer 
   began <- getMonotonicTime
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
-  mailbox <- mapMailbox link
+  mailbox <- maybe (pure noMailbox) (\(Fd fd) -> mapMailbox fd) (linkMailbox link)
   enterSandbox settings [answer, linkSocket link]
   when hasLargeArea ((if beginning == AtOnce then setLargeAllocationArea else setAllocationArea) compileAllocationArea)
   when (beginning == WhenAsked) (keepYoung True)

@@ -30,7 +30,6 @@ module Rosy.Worker.SystemCalls
     freeSharedPage,
     readSharedPage,
     unmapInChildren,
-    mapMailbox,
     newSocketPair,
     writeAll,
     readSome,
@@ -100,8 +99,6 @@ foreign import ccall unsafe rosy_page :: IO (Ptr Word32)
 foreign import ccall unsafe rosy_page_free :: Ptr Word32 -> IO ()
 
 foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
-
-foreign import ccall unsafe rosy_mailbox :: CInt -> IO (Ptr Word32)
 
 foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
 
@@ -270,10 +267,6 @@ readSharedPage page = ByteString.packCStringLen (castPtr page, pageSize)
 -- | Excludes the page from children that are forked later.
 unmapInChildren :: SharedPage -> IO ()
 unmapInChildren = rosy_page_keep
-
--- | The mailbox of a link, a null pointer when it has none.
-mapMailbox :: Link -> IO (Ptr Word32)
-mapMailbox = maybe (pure nullPtr) (\(Fd fd) -> rosy_mailbox fd) . linkMailbox
 
 -- | A pair of connected sockets.
 newSocketPair :: IO (Fd, Fd)

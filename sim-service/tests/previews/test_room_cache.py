@@ -1,10 +1,10 @@
-"""The room of the latest preview: a run in it is as in one that was read and built for this run."""
+"""The cache of a room: a run in it is as in a room that was read and built for this run."""
 
 from __future__ import annotations
 
 import pytest
 
-from rosy_sim.previews.preview import KnownRoom
+from rosy_sim.previews.preview import RoomCache
 from rosy_sim.robots import DEFAULT_ROBOT
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.events import Move
@@ -29,14 +29,14 @@ def path(world: World) -> list[tuple[float, ...]]:
 
 @pytest.mark.parametrize("name", world_names())
 def test_a_room_that_is_known_is_as_a_new_one(name: str) -> None:
-    room = KnownRoom()
+    room = RoomCache()
     told = named_world(name)
     wanted = [path(World(read_arena(told), DEFAULT_ROBOT, seed)) for seed in (1, 1, 2)]
     assert [path(room.world(dict(told), seed)) for seed in (1, 1, 2)] == wanted
 
 
 def test_another_room_is_read() -> None:
-    room = KnownRoom()
+    room = RoomCache()
     first = room.world(named_world("room"), 1)
     assert room.world(named_world("maze"), 1).arena != first.arena
     assert room.world(named_world("room"), 1).arena == first.arena
