@@ -88,7 +88,7 @@ describe("by mouse", () => {
   })
 })
 
-test("every example comes out of the blocks as it went in, with nothing left out, raw or wrong", async () => {
+test("every example comes out of the blocks as it went in, with nothing left out, raw or wrong, and read again it replaces no block", async () => {
   const page = await stage.open("empty")
   const folder = new URL("../../../examples/", import.meta.url)
   const names = readdirSync(folder).filter(name => existsSync(new URL(`${name}/program.rosy`, folder)))
@@ -98,18 +98,20 @@ test("every example comes out of the blocks as it went in, with nothing left out
     const shown = await page.evaluate(text => {
       const outcome = window.codegen.parseProject(text)
       if (!outcome.ok) return outcome.message
-      const {left} = window.blocks.load(window.codegen.openProject(outcome.project).workspace)
-      const kinds = window.Blockly.getMainWorkspace()
-        .getAllBlocks(false)
-        .map(block => block.type)
+      const read = () => structuredClone(window.codegen.openProject(outcome.project).workspace)
+      const {left} = window.blocks.load(read())
+      const blocks = window.Blockly.getMainWorkspace().getAllBlocks(false)
+      const kinds = blocks.map(block => block.type)
+      window.blocks.load(read())
       return {
+        replaced: blocks.filter(block => block.disposed).map(block => block.type),
         text: window.codegen.toHaskell(window.blocks.save()).text,
         left,
         raw: kinds.filter(kind => kind.startsWith("raw")),
         problems: window.blocks.inference().problems,
       }
     }, read("program.rosy"))
-    expect(shown, name).toEqual({text: read("Main.hs"), left: [], raw: [], problems: []})
+    expect(shown, name).toEqual({text: read("Main.hs"), left: [], replaced: [], raw: [], problems: []})
   }
 })
 

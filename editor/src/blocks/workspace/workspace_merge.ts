@@ -2,8 +2,8 @@
 
 import type {SavedBlock, SavedWorkspace} from "@rosy/codegen"
 
-/// Whether two saved blocks are equal, independent of the writer: Blockly and codegen order keys in their own ways, and Blockly adds to a remark how
-/// large its bubble is. Blocks are values, and untouched ones are the very same one as a rule.
+/// Whether two saved blocks are equal, independent of the writer: Blockly and codegen order keys in their own ways, Blockly writes an `extraState` also
+/// where there is nothing to say, and adds to a remark how large its bubble is. Blocks are values, and untouched ones are the very same one as a rule.
 export function sameBlock(one: SavedBlock | undefined, other: SavedBlock | undefined): boolean {
   return same(one, other, "")
 }
@@ -17,16 +17,21 @@ function same(one: unknown, other: unknown, key: string): boolean {
   }
   const [mine, others] = [one as {[name: string]: unknown}, other as {[name: string]: unknown}]
   if (key === "comment") return mine.text === others.text
-  for (const name in mine) if (!same(mine[name], others[name], name)) return false
-  for (const name in others) if (others[name] !== undefined && mine[name] === undefined) return false
+  for (const name in mine) if (!same(mine[name], partOf(others, name), name)) return false
+  for (const name in others) if (mine[name] === undefined && !same(partOf(mine, name), others[name], name)) return false
   return true
 }
+
+const nothing = {}
+
+const partOf = (block: {[name: string]: unknown}, name: string): unknown =>
+  block[name] ?? (name === "extraState" ? nothing : undefined)
 
 /// The blocks of `wanted` that say something else about themselves than in `now`, if that is all in which the two trees differ.
 export function changesOf(now: SavedBlock, wanted: SavedBlock): readonly SavedBlock[] | undefined {
   if (now === wanted) return []
-  const {extraState: mine, inputs = {}, next, ...own} = now
-  const {extraState: others, inputs: wantedInputs = {}, next: wantedNext, ...wantedOwn} = wanted
+  const {extraState: mine = nothing, inputs = {}, next, ...own} = now
+  const {extraState: others = nothing, inputs: wantedInputs = {}, next: wantedNext, ...wantedOwn} = wanted
   if (!same(own, wantedOwn, "") || (next === undefined) !== (wantedNext === undefined)) return undefined
   const names = Object.keys(wantedInputs)
   if (names.length !== Object.keys(inputs).length) return undefined
