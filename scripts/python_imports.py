@@ -25,6 +25,7 @@ LAYERS = (
         "sentences",
         "token_bucket",
         "interruptible",
+        "garbage_collection",
     ),
     ("world",),
     ("robots",),

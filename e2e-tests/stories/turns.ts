@@ -22,7 +22,7 @@ export const turns: readonly (readonly string[])[] = [
   ["room", "why"],
   ["leaving", "looks", "own-lessons"],
   ["class", "lessons"],
-  ["preview", "screens", "values"],
+  ["edit-to-path", "preview", "screens", "values"],
   ["arrange", "careless", "sharing"],
   ["class-sharing", "first-minute"],
   ["my-programs", "problems"],

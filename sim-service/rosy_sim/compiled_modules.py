@@ -21,6 +21,7 @@ from types import ModuleType
 __all__ = ["MODULES", "SOURCES", "fingerprint", "install"]
 
 _MODULES = (
+    "previews.path_recorder",
     "run.headless_run",
     "run.program_link",
     "run.steps.command_conflicts",

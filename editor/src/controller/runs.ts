@@ -6,6 +6,7 @@ import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
 import {socketAddress} from "../browser/service_address.ts"
 import {openConnection} from "../browser/service_connection.ts"
 import {judgedSeed} from "../lessons/lesson_state.ts"
+import {lateAfter} from "../preview/preview.ts"
 import type {Speaker} from "../room/sound_synthesis.ts"
 import type {PageEvent} from "../state/page_events.ts"
 import {awaitsProgram} from "../state/page_state.ts"
@@ -40,7 +41,12 @@ export function effectHandler(
     else if (effect.message.op === "check") {
       clearTimeout(checkTimer)
       checkTimer = setTimeout(() => parts.service?.send(effect.message), checkPause)
-    } else parts.service?.send(effect.message)
+    } else {
+      const {message} = effect
+      parts.service?.send(message)
+      if (message.op === "preview")
+        setTimeout(() => dispatch({kind: "preview-late", id: message.id}), lateAfter)
+    }
   }
 }
 

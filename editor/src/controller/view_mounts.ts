@@ -6,6 +6,7 @@ import type {SharedClipboard} from "../blocks/interaction/clipboard.ts"
 import type {ProgramStore} from "../browser/program_store.ts"
 import {openExplanations} from "../browser/remote_resources.ts"
 import type {NumberDragListener} from "../preview/number_grip.ts"
+import {mayPreview} from "../preview/preview_requests.ts"
 import type {QuestionTarget} from "../room/question_targets.ts"
 import {openRoom} from "../room/room_view.ts"
 import {openWorldEditor} from "../room/world_editor_view.ts"
@@ -129,6 +130,8 @@ export function mountSource(
       return signatureFix(document.program, declared, offset, words.writeType)
     },
     edited(text, changes, isOwn) {
+      // A preview need not wait for the document.
+      if (mayPreview(store.now)) store.dispatch({kind: "typed", text})
       editor.typing.typed(text, changes, isOwn)
       edited()
     },

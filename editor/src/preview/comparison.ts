@@ -7,7 +7,7 @@ import {type Preview, placeAt, shownPreview, wantedSeconds} from "./preview.ts"
 export type Side = "left" | "right" | "up" | "down" | "up left" | "up right" | "down left" | "down right"
 
 export interface Comparison {
-  /// Whether it is about the program as it is now.
+  /// Whether it is about the program as it is now, or as it was a moment ago.
   readonly current: boolean
   /// How far from the run's place the robot would be, m, and on which side in the picture; `null` where it makes no difference.
   readonly moved: {readonly distance: number; readonly side: Side} | null

@@ -32,8 +32,8 @@ export interface PreviewGoal {
 export interface PreviewState {
   /// The program of the last run in this room; `null` when there has been none.
   readonly ran: string | null
-  /// The newest question to the service; `null` when nothing is to be shown.
-  readonly asked: {readonly id: number; readonly text: string} | null
+  /// The newest question to the service; `null` when nothing is to be shown. Its answer is late when a person would notice.
+  readonly asked: {readonly id: number; readonly text: string; readonly isLate: boolean} | null
   /// The newest answer; its preview is `null` when the program does not compile, or when the last run cannot be repeated.
   readonly answer: {
     readonly text: string
@@ -59,12 +59,21 @@ export const previewSeconds = (ran: number): number => Math.min(longest, wantedS
 export const isPending = ({asked, answer}: PreviewState): boolean =>
   asked !== null && asked.text !== answer?.text
 
-/// What is drawn: the newest preview. `current` is false until the answer about the newest text has come.
+/// Milliseconds after which an answer is late.
+export const lateAfter = 300
+
+/// What is drawn: the newest preview. `current` is false while the answer about the newest text is late: dimmed for each letter it would flicker.
 export function shownPreview(
   state: PreviewState,
 ): {readonly preview: Preview; readonly current: boolean} | null {
   const preview = state.asked === null ? null : (state.answer?.preview ?? null)
-  return preview === null ? null : {preview, current: !isPending(state)}
+  return preview === null ? null : {preview, current: !(isPending(state) && state.asked?.isLate)}
+}
+
+/// The answer to this question is late, if it has not come.
+export function latePreview(state: PreviewState, id: number): PreviewState {
+  const {asked} = state
+  return asked?.id === id && isPending(state) ? {...state, asked: {...asked, isLate: true}} : state
 }
 
 /// Takes an answer; one to an older question changes nothing.

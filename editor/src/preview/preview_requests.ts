@@ -6,7 +6,7 @@ import type {Effect, Transition} from "../state/transition.ts"
 import {noPreview, previewSeconds} from "./preview.ts"
 
 /// Whether the page shows previews now.
-function mayPreview(state: PageState): boolean {
+export function mayPreview(state: PageState): boolean {
   const {run, clock, link, robots, worldEditor, previewing, room} = state
   const stands = !isActive(run) || (run.kind === "running" && clock === "standing")
   return (
@@ -19,10 +19,16 @@ function mayPreview(state: PageState): boolean {
   )
 }
 
-/// Asks for a preview when the program is another one than at the last question, and forgets the preview when none may be shown.
-export function withPreview({state, effects}: Transition): Transition {
+/// Asks for a preview when the program is another one than at the last question, and forgets the preview when none may be shown. When the page begins to
+/// show previews, the service is told before anything is changed.
+export function withPreview(before: PageState, {state, effects: others}: Transition): Transition {
+  const begins = mayPreview(state) && !mayPreview(before)
+  const effects: readonly Effect[] = begins
+    ? [...others, {kind: "send", message: {op: "prepare-previews"}}]
+    : others
   const {preview} = state.room
-  const {text} = state.document.program
+  // The blocks follow a text some milliseconds later; the preview needs none.
+  const text = state.typed ?? state.document.program.text
   const wants = mayPreview(state) && text !== preview.ran && text !== ""
   if (!wants)
     return preview.asked === null && preview.answer === null
@@ -30,7 +36,7 @@ export function withPreview({state, effects}: Transition): Transition {
       : {state: withRoomPreview(state, {...noPreview, ran: preview.ran}), effects}
   if (preview.asked?.text === text) return {state, effects}
   const id = state.previews + 1
-  const asked = withRoomPreview({...state, previews: id}, {...preview, asked: {id, text}})
+  const asked = withRoomPreview({...state, previews: id}, {...preview, asked: {id, text, isLate: false}})
   const seconds = previewSeconds(state.room.frame?.time ?? 0)
   const request: Effect = {kind: "send", message: {op: "preview", id, source: text, seconds}}
   return {state: asked, effects: [...effects, request]}

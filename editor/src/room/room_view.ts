@@ -26,7 +26,7 @@ import {trailUntil} from "./trail_segments.ts"
 import {cornerOf, drawObjects, drawWorld} from "./world_drawing.ts"
 
 export interface RoomView {
-  /// Draws the room as it is; answers whether something still moves, so that another frame is worth drawing.
+  /// Draws the room if it looks different from what is drawn; answers whether something still moves, so that another frame is worth drawing.
   draw(room: RoomState, sight: RoomViewOptions, now: number): boolean
   /// Comes `factor` times closer, around the middle.
   zoom(factor: number): void
@@ -90,17 +90,23 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   let before: TimedPose | null = null
   let last: TimedPose | null = null
   let lastFrame: Frame | null = null
+  /// What is drawn; `null` when it must be drawn again whatever it is.
+  let drawn: {readonly room: RoomState; readonly sight: RoomViewOptions} | null = null
   // A picture of the whole room does not move; one from nearby may, as far as half of itself.
   const margin = () => (look === null ? 0 : 0.5)
   const ground = openLayer(margin)
   const path = openPath(palette, margin)
 
+  const changed = () => {
+    drawn = null
+    listener.changed()
+  }
   const measure = () => {
     const box = canvas.getBoundingClientRect()
     size = {w: box.width, h: box.height, ratio: window.devicePixelRatio || 1}
     canvas.width = Math.max(1, Math.round(size.w * size.ratio))
     canvas.height = Math.max(1, Math.round(size.h * size.ratio))
-    listener.changed()
+    changed()
   }
   const watcher = new ResizeObserver(measure)
   watcher.observe(canvas)
@@ -108,7 +114,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
 
   const looked = (to: CameraView) => {
     look = to
-    listener.changed()
+    changed()
   }
   const whole = () => {
     listener.follows(false)
@@ -131,7 +137,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     handled(handle) {
       if (hands.handle === handle) return
       hands = {...hands, handle}
-      listener.changed()
+      changed()
     },
     panned: (dx, dy) => {
       if (look === null) return
@@ -189,6 +195,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
 
   return {
     draw(room, sight, now) {
+      if (drawn !== null && looksSame(drawn.room, room) && isSameSight(drawn.sight, sight)) return false
       const {world} = room
       const frame = shownFrame(room)
       following = sight.follows
@@ -196,6 +203,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       ctx.setTransform(1, 0, 0, 1, 0, 0)
       ctx.fillStyle = palette.around
       ctx.fillRect(0, 0, canvas.width, canvas.height)
+      drawn = {room, sight}
       if (world === null) {
         shown = null
         things = []
@@ -239,7 +247,9 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
         const at = toScreen(camera, pose.x, pose.y)
         bubble = {words, box: drawBubble(ctx, words.text, at, 0.2 * camera.scale + 14, size, palette)}
       }
-      return last !== null && before !== null && now - last.at < last.at - before.at
+      const moves = last !== null && before !== null && now - last.at < last.at - before.at
+      if (moves) drawn = null
+      return moves
     },
     zoom: factor => zoomed(factor, size.w / 2, size.h / 2),
     whole,
@@ -247,12 +257,30 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
       palette = readPalette(canvas)
       path.recolour(palette)
       ground.forget()
-      listener.changed()
+      changed()
     },
     dispose() {
       watcher.disconnect()
     },
   }
+}
+
+/// Whether a room looks as another does: a question for a preview is not seen.
+function looksSame(one: RoomState, other: RoomState): boolean {
+  if (one === other) return true
+  const keys = Object.keys(one) as (keyof RoomState)[]
+  const [mine, others] = [shownPreview(one.preview), shownPreview(other.preview)]
+  return (
+    keys.every(key => key === "preview" || one[key] === other[key]) &&
+    mine?.preview === others?.preview &&
+    mine?.current === others?.current
+  )
+}
+
+/// Two runs that are compared are always drawn.
+function isSameSight(one: RoomViewOptions, other: RoomViewOptions): boolean {
+  const keys = Object.keys(one) as (keyof RoomViewOptions)[]
+  return keys.every(key => one[key] === other[key])
 }
 
 function isWithin(

@@ -239,6 +239,7 @@ export type PageMessage =
     }
   /// Show the recording of the run `of`, or, without it, of the file that was sent last. `room`: from the start of the drawn room.
   | {readonly op: "replay"; readonly run: number; readonly of?: number; readonly room: boolean}
+  | {readonly op: "prepare-previews"}
   | {readonly op: "preview"; readonly id: number; readonly source: string; readonly seconds: number}
   | {readonly op: "stop"}
   | {readonly op: "reset"}

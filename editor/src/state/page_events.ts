@@ -99,6 +99,8 @@ export type DocumentEvent =
       readonly document: Document
       readonly at: number
     }
+  /// The learner has typed; the document follows with the next `program-changed`.
+  | {readonly kind: "typed"; readonly text: string}
   /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.
   | {
       readonly kind: "program-changed"
@@ -167,6 +169,8 @@ export type ViewEvent =
   | {readonly kind: "trail"; readonly trail: TrailStyle}
   | {readonly kind: "all-events"; readonly allEvents: boolean}
   | {readonly kind: "previewing"; readonly previewing: boolean}
+  /// A while has passed since this question for a preview.
+  | {readonly kind: "preview-late"; readonly id: number}
   | {readonly kind: "follows"; readonly follows: boolean}
   | {readonly kind: "films"; readonly films: boolean}
   /// The teacher's comments on the open program, to be shown at their places.

@@ -89,6 +89,8 @@ export interface PageState {
   readonly name: string
   readonly saved: "saved" | "changed" | "failed"
   readonly document: Document
+  /// The text as it is being typed, until the document has it; `null` when there is no other.
+  readonly typed: string | null
   readonly history: History
   readonly worldName: string | WorldFile | null
   /// `null` while the room is the learner's own. Another choice of room leaves it; then `by` is not the name of the room.
@@ -219,6 +221,7 @@ export const initialState: PageState = {
   name: "",
   saved: "saved",
   document: emptyDocument,
+  typed: null,
   history: emptyHistory,
   worldName: null,
   replacedRoom: null,

@@ -16,7 +16,7 @@ import {reduceViewEvent} from "./view_reducer.ts"
 import {reduceWorldEvent} from "./world_reducer.ts"
 
 export function reduce(state: PageState, event: PageEvent): Transition {
-  return withPreview(next(state, event))
+  return withPreview(state, next(state, event))
 }
 
 /// Hands the event to the reducer of its topic.
@@ -55,6 +55,7 @@ function next(state: PageState, event: PageEvent): Transition {
       return reduceRobotEvent(state, event)
     case "opened":
     case "followed":
+    case "typed":
     case "program-changed":
     case "analysed":
     case "undo-pressed":

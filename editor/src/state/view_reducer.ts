@@ -1,5 +1,6 @@
 /// Reducer for the view: regions, dialogs, galleries, and the learner's settings. Its events send nothing. Pure.
 
+import {latePreview} from "../preview/preview.ts"
 import {withView} from "./arrangement.ts"
 import type {ViewEvent} from "./page_events.ts"
 import type {PageState} from "./page_state.ts"
@@ -62,6 +63,8 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, trail: event.trail}
     case "all-events":
       return {...state, allEvents: event.allEvents}
+    case "preview-late":
+      return {...state, room: {...state.room, preview: latePreview(state.room.preview, event.id)}}
     case "previewing":
       return {...state, previewing: event.previewing}
     case "follows":

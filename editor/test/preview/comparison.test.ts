@@ -51,7 +51,7 @@ function room(more: Partial<Preview>, seconds = 10): RoomState {
     ...emptyRoom,
     frame: frames.at(-1) ?? null,
     recording: frames.reduce(record, emptyRoom.recording),
-    preview: {ran: "old", asked: {id: 1, text: "new"}, answer: {text: "new", preview}},
+    preview: {ran: "old", asked: {id: 1, text: "new", isLate: false}, answer: {text: "new", preview}},
   }
 }
 

@@ -29,15 +29,26 @@ const preview = (id: number, more: Partial<Preview> = {}): Preview => ({
 const answer = (id: number, more: Partial<Preview> = {}) =>
   hear({op: "previewed", preview: preview(id, more)})
 
+const opened = {
+  name: "other",
+  world: null,
+  document: documentOf("other"),
+  history: emptyHistory,
+  welcome: false,
+  isNew: false,
+}
+
 function play(...events: readonly PageEvent[]) {
   let state: PageState = {...initialState, document: documentOf("old")}
   const asked: {id: number; source: string; seconds: number}[] = []
+  const sent: string[] = []
   for (const event of [hear({op: "hello", session: "s"}), ...events]) {
     const step = reduce(state, event)
     state = step.state
+    for (const e of step.effects) if (e.kind === "send") sent.push(e.message.op)
     for (const e of step.effects) if (e.kind === "send" && e.message.op === "preview") asked.push(e.message)
   }
-  return {state, asked, shown: shownPreview(state.room.preview)}
+  return {state, asked, sent, shown: shownPreview(state.room.preview)}
 }
 
 describe("a preview is asked for", () => {
@@ -70,6 +81,26 @@ describe("a preview is asked for", () => {
   ] as readonly (readonly [string, readonly PageEvent[]])[])("not %s", (_, events) =>
     expect(play(...events).asked).toEqual([]),
   )
+  it("after the service has been told that it may be, when a run ends or stands still", () => {
+    const told = (...events: readonly PageEvent[]) =>
+      play(...events).sent.filter(op => op.endsWith("previews"))
+    expect(told(run, running, frame(4), ended, edit("a"), edit("b"))).toEqual(["prepare-previews"])
+    expect(told(run, running, frame(4), {kind: "pause-pressed"})).toEqual(["prepare-previews"])
+    expect(told(edit("a"), run, running)).toEqual([])
+    expect(told({kind: "previewing", previewing: false}, run, running, ended, edit("a"))).toEqual([])
+  })
+  it("as soon as it is typed, before the document has it, and not again", () => {
+    const typed = {kind: "typed", text: "a"} as const
+    expect(play(run, running, ended, typed).asked.map(({source}) => source)).toEqual(["a"])
+    expect(play(run, running, ended, typed, edit("a"), edit("b")).asked.map(({source}) => source)).toEqual([
+      "a",
+      "b",
+    ])
+    expect(play(run, running, ended, typed, {kind: "dialog", dialog: null}).asked).toHaveLength(1)
+  })
+  it("not for what was typed into a program that is no longer open", () => {
+    expect(play({kind: "typed", text: "a"}, {kind: "opened", opened}).state.typed).toBeNull()
+  })
   it("when previews are switched on again", () => {
     const off = {kind: "previewing", previewing: false} as const
     const {asked} = play(run, running, ended, edit("a"), off, {kind: "previewing", previewing: true})
@@ -86,8 +117,13 @@ describe("an answer", () => {
     expect(play(...before, edit("b"), answer(1)).shown).toBeNull()
     expect(play(...before, edit("b"), answer(2), answer(1, {x: 9})).shown?.preview.x).toBe(3)
   })
-  it("stays as an old one until the next has come", () => {
-    expect(play(...before, answer(1), edit("b")).shown).toEqual({preview: preview(1), current: false})
+  it("stays until the next has come, as an old one when that is late", () => {
+    const late = {kind: "preview-late", id: 2} as const
+    expect(play(...before, answer(1), edit("b")).shown).toEqual({preview: preview(1), current: true})
+    expect(play(...before, answer(1), edit("b"), late).shown).toEqual({preview: preview(1), current: false})
+    expect(play(...before, answer(1), edit("b"), late, answer(2)).shown?.current).toBe(true)
+    expect(play(...before, answer(1), edit("b"), answer(2), late).shown?.current).toBe(true)
+    expect(play(...before, answer(1), edit("b"), edit("c"), late).shown?.current).toBe(true)
   })
   it("is forgotten when the new program does not compile", () => {
     expect(play(...before, answer(1), edit("b"), answer(2, {ended: "refused"})).shown).toBeNull()
@@ -103,14 +139,6 @@ describe("an answer", () => {
     expect([state.document.program.text, shown]).toEqual(["old", null])
   })
   const room = {name: "pits", size: [5, 4], start: {x: 1, y: 2, theta: 0}} as unknown as World
-  const opened = {
-    name: "other",
-    world: null,
-    document: documentOf("other"),
-    history: emptyHistory,
-    welcome: false,
-    isNew: false,
-  }
   it.each([
     ["a run", run],
     ["a reset", {kind: "reset-pressed"}],

@@ -97,7 +97,10 @@ data Parts
   | -- | the precedence and the name of a constructor between its two fields
     InfixParts Int String Field Field
 
-data Field = forall a. Value a => Field a
+-- | One field of a value taken apart.
+data Field
+  = -- | the value in it
+    forall a. Value a => Field a
 
 -- | Types that a 'Rosy.Memory' may hold: those with a value to start from.
 class Value a => Default a where

@@ -7,6 +7,7 @@
 /* Receiving and sending. */
 ssize_t rosy_receive(int fd, void *buffer, size_t size, int received_fds[2]);
 ssize_t rosy_send(int fd, const void *buffer, size_t size);
+int rosy_send_link(int fd, const void *buffer, size_t size, int count, const int *passed);
 
 /* Waiting. */
 int rosy_watch_children(void);
@@ -26,6 +27,7 @@ int rosy_write_all(int fd, const char *buffer, size_t size);
 int rosy_drop_capabilities(void);
 int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges);
 int rosy_protect_memory(void);
+void rosy_map_code(void);
 int rosy_name(const char *name);
 int rosy_nice(int niceness);
 int rosy_filter_compiling(void);

@@ -29,8 +29,8 @@ import uvicorn
 import uvloop
 
 from ..config import Config
+from ..garbage_collection import keep_what_is_loaded
 from ..web.app import build_app
-from ..web.garbage_collection import keep_what_is_loaded
 from ..web.pacing.paced_frames import paced_frames
 from ..web.service import Service
 from ..world.time_step import STEP

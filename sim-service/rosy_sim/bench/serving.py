@@ -12,8 +12,8 @@ import uvicorn
 
 from ..classroom.store.class_store import ClassStore
 from ..config import Config
+from ..garbage_collection import keep_what_is_loaded
 from ..web.app import build_app
-from ..web.garbage_collection import keep_what_is_loaded
 from ..web.pacing.paced_frames import paced_frames
 from ..web.pacing.request_deadline import RequestDeadline
 from ..web.service import Service

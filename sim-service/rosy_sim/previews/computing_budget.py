@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import contextlib
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import psutil
 
-__all__ = ["ComputingBudget", "computed_time"]
+__all__ = ["PATIENCE", "ComputingBudget", "computed_times"]
 
 PATIENCE = 10.0
 """Seconds on the clock for each second of processor time."""
@@ -22,40 +22,52 @@ _SHORTEST_PAUSE = 0.25
 """Between two looks, s: each reads the whole process table."""
 
 
-def computed_time() -> float:
-    """Processor time that this process and all below it have used, s."""
+def computed_times() -> dict[psutil.Process, float]:
+    """Processor time that this process and each below it have used, s."""
     own = psutil.Process()
-    total = 0.0
+    times = {}
     for process in (own, *own.children(recursive=True)):
         with contextlib.suppress(psutil.Error):
             used = process.cpu_times()
-            total += used.user + used.system
-    return total
+            times[process] = used.user + used.system
+    return times
 
 
 class ComputingBudget:
-    """Of ``seconds`` from now on; both clocks count s and only go forward."""
+    """Of ``seconds`` from each ``begin``; the clock and the processor times count s and only go forward."""
 
     def __init__(
         self,
         seconds: float,
         now: Callable[[], float] = time.monotonic,
-        computed: Callable[[], float] = computed_time,
+        computed: Callable[[], Mapping[psutil.Process, float]] = computed_times,
     ) -> None:
         self._seconds = seconds
         self._now = now
         self._computed = computed
-        self._began = computed()
-        self._expires = now() + PATIENCE * seconds
-        # When the processor time is looked at again.
-        self._review = now() + seconds
+        self._before: Mapping[psutil.Process, float] = {}
+        # When the preview has waited for too long, and when the processor times are looked at again.
+        self._expires = self._review = 0.0
+        self.rest()
+        self.begin()
+
+    def rest(self) -> None:
+        """Note what has been used before the next preview. It takes some milliseconds, for which nobody waits then."""
+        self._before = self._computed()
+
+    def begin(self) -> None:
+        """A preview begins, soon after ``rest``."""
+        now = self._now()
+        self._expires = now + PATIENCE * self._seconds
+        self._review = now + self._seconds
 
     def is_used_up(self) -> bool:
         """Whether the preview has computed, or waited, for too long. Cheap enough for every step."""
         now = self._now()
         if now < self._review:
             return False
-        left = self._seconds - (self._computed() - self._began)
+        used = sum(seconds - self._before.get(process, 0.0) for process, seconds in self._computed().items())
+        left = self._seconds - used
         if left <= 0 or now >= self._expires:
             return True
         self._review = now + max(_SHORTEST_PAUSE, left)

@@ -17,7 +17,6 @@ from ..config import Limits
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import Program, RunOutput, RunResult, RunSettings, run_over_link
 from ..run.steps.hands import Hand, read_hands
-from ..run.steps.lockstep import Lockstep
 from ..run.steps.velocity_guard import SafetySettings
 from ..wire.page import Goal, Previewed
 from ..wire.problem import Problem
@@ -26,21 +25,9 @@ from ..world.arena import Arena, read_arena
 from ..world.obstacles import Obstacles
 from ..world.time_step import STEP
 from ..world.world import World
-from .computing_budget import ComputingBudget
+from .path_recorder import PathRecorder, point_of
 
-__all__ = ["PathRecorder", "PreviewTask", "RoomCache", "preview_over_link", "preview_settings", "refused_preview"]
-
-_POINT_DISTANCE = 0.02
-"""Between two points of a path, m: less than a pixel of a picture of a whole room."""
-
-_MAX_POINTS = 2000
-"""Points of a path; a longer one has its points farther apart. 40 m at the usual distance."""
-
-_MAX_COLLISIONS = 100
-"""Collisions that are told of one preview."""
-
-_CONTACT_PAUSE = 0.2
-"""Contacts closer together than this are one collision, s: the hold of the safety rules after a contact."""
+__all__ = ["PreviewTask", "RoomCache", "preview_over_link", "preview_settings", "refused_preview"]
 
 
 class PreviewTask(msgspec.Struct, frozen=True):
@@ -53,36 +40,6 @@ class PreviewTask(msgspec.Struct, frozen=True):
     seconds: float
     safety: SafetySettings
     hands: list[Hand]
-
-
-class PathRecorder:
-    """Follows a run step by step: path and collisions, each point as time (s), x, y (m)."""
-
-    def __init__(self, world: World) -> None:
-        self.path: list[tuple[float, float, float]] = [_point(0.0, world)]
-        self.collisions: list[tuple[float, float, float]] = []
-        self._distance = _POINT_DISTANCE
-        # When the robot last touched something; None before the first contact.
-        self._touched: float | None = None
-
-    def observe(self, lockstep: Lockstep) -> None:
-        """Take the state after a step."""
-        world = lockstep.world
-        _, x, y = self.path[-1]
-        if abs(world.x - x) + abs(world.y - y) >= self._distance:
-            self._add(_point(lockstep.time, world))
-        if world.is_blocked or (world.has_contacts and world.sensors.bumpers):
-            now = lockstep.time
-            begins = self._touched is None or now - self._touched > _CONTACT_PAUSE
-            if begins and len(self.collisions) < _MAX_COLLISIONS:
-                self.collisions.append(_point(now, world))
-            self._touched = now
-
-    def _add(self, point: tuple[float, float, float]) -> None:
-        if len(self.path) >= _MAX_POINTS:
-            self._distance *= 2
-            self.path = self.path[::2]
-        self.path.append(point)
 
 
 def preview_settings(task: PreviewTask, limits: Limits) -> RunSettings:
@@ -124,19 +81,12 @@ def preview_over_link(
     Run a program that waits at the other end of a link.
 
     Args:
-        settings: those of ``preview_settings``; their ``limits.preview`` bounds the processor time of this process and
-            those below it; then the path ends early.
-        is_over: called in each step; true when the result is no longer needed.
+        settings: those of ``preview_settings``.
+        is_over: called every few steps; true when the result is no longer needed, or has taken too long: then the path
+            ends early.
     """
-    recorder = PathRecorder(world)
-    budget = ComputingBudget(settings.limits.preview)
-
-    def observe(lockstep: Lockstep) -> bool:
-        if lockstep.state != "ended":
-            recorder.observe(lockstep)
-        return is_over() or budget.is_used_up()
-
-    result = run_over_link(link, world, settings, RunOutput(observe=observe), program, mailbox)
+    recorder = PathRecorder(world, is_over)
+    result = run_over_link(link, world, settings, RunOutput(observe=recorder.observe), program, mailbox)
     return _previewed(task.id, result, world, recorder)
 
 
@@ -146,7 +96,7 @@ def refused_preview(ident: int, problems: list[Problem]) -> Previewed:
 
 
 def _previewed(ident: int, result: RunResult, world: World, recorder: PathRecorder) -> Previewed:
-    last = _point(result.steps * STEP, world)
+    last = point_of(result.steps * STEP, world)
     return Previewed(
         ident,
         result.ended,
@@ -157,7 +107,3 @@ def _previewed(ident: int, result: RunResult, world: World, recorder: PathRecord
         [Goal(g.kind, g.title, g.state, round(g.progress, 2), g.time) for g in result.goals],
         result.problems,
     )
-
-
-def _point(time: float, world: World) -> tuple[float, float, float]:
-    return (round(time, 2), round(world.x, 3), round(world.y, 3))

@@ -1,8 +1,8 @@
 """
 Pool of preview processes: half of the cores, but at least one, may be busy with the previews of all pages.
 
-A process is started when a preview needs one, and ended when it has been idle for a while. Runs of pages have a worker
-of their own, so previews take only what they leave of the machine.
+A process is started when a preview needs one, or is likely to be asked for soon, and ended when it has been idle for a
+while. Runs of pages have a worker of their own, so previews take only what they leave of the machine.
 """
 
 from __future__ import annotations
@@ -108,6 +108,13 @@ class PreviewPool:
         """How many there are, for tests."""
         return len(self._all)
 
+    def prepare(self) -> None:
+        """Start a process if there is none, for a preview that is to come. A failure costs only time."""
+        if not self._all and not self._closed and self._config.worker:
+            work = asyncio.get_running_loop().create_task(self._prepare())
+            self._tasks.add(work)
+            work.add_done_callback(self._tasks.discard)
+
     async def run(self, task: PreviewTask, on_cost: Callable[[float], None]) -> Previewed:
         """
         Compute a preview. Cancelling it ends the computation; a process that is being started is kept for the next.
@@ -161,6 +168,17 @@ class PreviewPool:
                 job.on_cost(asyncio.get_running_loop().time() - began)
             self._keep(process)
             return answer
+        finally:
+            self._queue.release()
+
+    async def _prepare(self) -> None:
+        await self._queue.acquire(lambda _: None)
+        try:
+            if not self._all:
+                self._keep(await self._start())
+        except (RosyError, OSError):
+            # It is told to the page that asks for a preview.
+            pass
         finally:
             self._queue.release()
 

@@ -8,6 +8,7 @@ computed. Out: an empty line when the worker is warm, and one line per task: its
 from __future__ import annotations
 
 import contextlib
+import gc
 import os
 import queue
 import socket
@@ -18,10 +19,12 @@ import msgspec
 
 from ..config import Limits
 from ..errors import RosyError, WorkerLost
+from ..garbage_collection import keep_what_is_loaded
 from ..wire.page import Previewed
 from ..wire.worker import Refused
 from ..worker.background_process import LOWEST_PRIORITY, WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
+from .computing_budget import ComputingBudget
 from .preview import PreviewTask, RoomCache, preview_over_link, preview_settings, refused_preview
 
 __all__ = ["main"]
@@ -63,12 +66,18 @@ def main() -> int:
             with BlockingWorker(setup.config()) as worker:
                 worker.ready()
                 lines.worker = worker
+                rooms, budget = RoomCache(), ComputingBudget(setup.limits.preview)
+                # Between two previews nobody waits for a collection.
+                keep_what_is_loaded()
+                gc.disable()
                 write_line(b"")
-                rooms = RoomCache()
                 while True:
                     line, cancelled = lines.tasks.get()
+                    budget.begin()
                     task = msgspec.json.decode(line, type=PreviewTask)
-                    write_line(msgspec.json.encode(_preview(worker, rooms, task, setup.limits, cancelled)))
+                    write_line(msgspec.json.encode(_preview(worker, rooms, budget, task, setup.limits, cancelled)))
+                    gc.collect()
+                    budget.rest()
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status
@@ -76,17 +85,24 @@ def main() -> int:
 
 
 def _preview(
-    worker: BlockingWorker, rooms: RoomCache, task: PreviewTask, limits: Limits, cancelled: threading.Event
+    worker: BlockingWorker,
+    rooms: RoomCache,
+    budget: ComputingBudget,
+    task: PreviewTask,
+    limits: Limits,
+    cancelled: threading.Event,
 ) -> Previewed:
+    def is_over() -> bool:
+        return cancelled.is_set() or budget.is_used_up()
+
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     settings = preview_settings(task, limits)
     with ours, settings.open_mailbox() as mailbox:
         started = worker.run(task.source, theirs, cancelled.is_set, mailbox, plain=True)
         if isinstance(started, Refused):
             return refused_preview(task.id, started.problems)
-        found = preview_over_link(
-            task, settings, rooms.world(task.world, task.seed), ours, worker, cancelled.is_set, mailbox
-        )
+        world = rooms.world(task.world, task.seed)
+        found = preview_over_link(task, settings, world, ours, worker, is_over, mailbox)
     # Answers about a run that is over are passed over by the next one.
     worker.kill()
     return found

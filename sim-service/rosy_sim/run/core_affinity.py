@@ -30,7 +30,7 @@ BUSY = 1 / 3
 """A core is busy when the pair waited for it for a larger share of the time. Choice of ours: alone, one of both waits
 for the last microseconds of the other's turn, some tenth; beside one busy process they wait half of the time."""
 
-FIRST_PAUSE = 0.5
+FIRST_PAUSE = 0.02
 """Until the pair that could not use two cores tries them again, s; the next pauses are twice as long each."""
 
 SELDOM = 5
@@ -100,7 +100,7 @@ class CoreAffinity:
             link.has_mailbox and self.placement != "separate" and is_asked_often and now >= self._separate_from
         )
         # A short run gains nothing from waiting for the first interval.
-        is_early = now - self._reviewed < REVIEW_INTERVAL and not (goes_separate and self._separate_from == 0)
+        is_early = now - self._reviewed < REVIEW_INTERVAL and not goes_separate
         if not self._program or is_early:
             return
         waited = self._waiting_time()

@@ -29,9 +29,12 @@ _CREDENTIALS = struct.Struct("3i")
 SPINS = 3000
 """Looks into the mailbox after which an answer is late: some 0.1 ms, several times what a program takes for a step."""
 
-_PATIENCE = 0.002
-"""For how long this thread busy-waits for an answer that is late, s: several times what collecting garbage takes.
-Then it looks once in a millisecond."""
+_SHORT_SLEEP = 4e-5
+"""Between two looks for an answer that is late, s: the program waits for a core perhaps, which may be this one."""
+
+_PATIENCE = 0.005
+"""For how long this thread looks so often, s: several times what collecting garbage takes. Then it looks once in a
+millisecond."""
 
 
 class ProgramLink:
@@ -119,9 +122,12 @@ class ProgramLink:
             return answer
         self.slept += 1
         now = time.monotonic()
-        sleeps_from, deadline = now + _PATIENCE, now + self._limit
+        often_until, deadline = now + _PATIENCE, now + self._limit
         while now < deadline:
-            has_bytes = self._poller.poll(0 if now < sleeps_from else 1)
+            looks_often = now < often_until
+            if looks_often:
+                time.sleep(_SHORT_SLEEP)
+            has_bytes = self._poller.poll(0 if looks_often else 1)
             # A program that ends, or whose answer does not fit, says so over the link, after what it has left here.
             answer = mailbox.take_answer(1) or (self._link.recv(_CHUNK) if has_bytes else b"")
             if answer or has_bytes:

@@ -29,12 +29,12 @@ from ..classroom.store.class_places import class_place
 from ..classroom.store.class_store import Admission
 from ..config import Config
 from ..errors import BadInput, WorkerMissing
+from ..garbage_collection import keep_what_is_loaded
 from ..sentences.sentence import Argument, Sentence, tr
 from ..sentences.wording import in_terminal
 from ..worker.launcher import missing_sandbox, sandbox_warning
 from .app import build_app
 from .browser_safety import own_names
-from .garbage_collection import keep_what_is_loaded
 from .lan_addresses import is_unspecified, lan_addresses
 from .pacing.paced_frames import paced_frames
 from .pacing.request_deadline import RequestDeadline

@@ -6,11 +6,13 @@ import subprocess
 import sys
 import time
 
+import psutil
 import pytest
 
-from rosy_sim.previews.computing_budget import PATIENCE, ComputingBudget, computed_time
+from rosy_sim.previews.computing_budget import PATIENCE, ComputingBudget, computed_times
 
 SECONDS = 3.0
+OWN = psutil.Process()
 
 
 @pytest.mark.parametrize(
@@ -20,7 +22,7 @@ def test_a_preview_ends_by_the_processor_time_that_it_gets_or_when_it_has_waited
     share: float, end: float
 ) -> None:
     clock = 0.0
-    budget = ComputingBudget(SECONDS, lambda: clock, lambda: 100.0 + share * clock)
+    budget = ComputingBudget(SECONDS, lambda: clock, lambda: {OWN: 100.0 + share * clock})
     while not budget.is_used_up():
         clock += 0.125
     assert clock == pytest.approx(end, abs=0.25)
@@ -29,10 +31,10 @@ def test_a_preview_ends_by_the_processor_time_that_it_gets_or_when_it_has_waited
 def test_the_processor_time_is_looked_at_a_few_times_only() -> None:
     clock, looks = 0.0, 0
 
-    def computed() -> float:
+    def computed() -> dict[psutil.Process, float]:
         nonlocal looks
         looks += 1
-        return 0.9 * clock
+        return {OWN: 0.9 * clock}
 
     budget = ComputingBudget(SECONDS, lambda: clock, computed)
     while not budget.is_used_up():
@@ -47,5 +49,25 @@ def test_the_time_of_this_process_and_those_below_it_is_counted() -> None:
         child.stdout.readline()
         own = time.process_time()
         # The system counts in hundredths of a second.
-        assert computed_time() >= own + 0.2
+        assert sum(computed_times().values()) >= own + 0.2
         child.communicate(b"\n")
+
+
+def test_each_preview_has_the_whole_budget_whatever_ended_before_it() -> None:
+    clock = 0.0
+    program = psutil.Process(OWN.ppid())
+    times = {OWN: 50.0, program: 7.0}
+    budget = ComputingBudget(SECONDS, lambda: clock, lambda: dict(times))
+    # The program of the preview before has ended, and its time with it.
+    del times[program]
+    budget.begin()
+    for clock in (3.0, 5.75):
+        times[OWN] = 50.0 + clock / 2
+        assert not budget.is_used_up()
+    clock = 9.0
+    times[OWN] = 53.5
+    assert budget.is_used_up()
+    budget.rest()
+    budget.begin()
+    clock += 3.0
+    assert not budget.is_used_up()

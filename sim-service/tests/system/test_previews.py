@@ -12,6 +12,7 @@ from statistics import median
 import pytest
 
 from rosy_sim.config import Limits, discover
+from rosy_sim.previews.computing_budget import ComputingBudget
 from rosy_sim.previews.preview import PreviewTask, RoomCache, preview_over_link, preview_settings
 from rosy_sim.run.steps.hands import write_hands
 from rosy_sim.run.steps.velocity_guard import OFF
@@ -47,9 +48,8 @@ def preview(worker: BlockingWorker, name: str, seed: int, source: str = "", limi
     with ours:
         assert isinstance(worker.run(source or own, theirs), Started)
         task = PreviewTask(1, source or own, named_world(world), seed, SECONDS, OFF, write_hands(HANDS))
-        found = preview_over_link(
-            task, preview_settings(task, limits), RoomCache().world(task.world, task.seed), ours, worker, lambda: False
-        )
+        budget, world_of_it = ComputingBudget(limits.preview), RoomCache().world(task.world, task.seed)
+        found = preview_over_link(task, preview_settings(task, limits), world_of_it, ours, worker, budget.is_used_up)
     worker.kill()
     return found
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 
 import pytest
 
@@ -151,6 +152,32 @@ def test_goals_are_judged_and_a_run_of_the_page_goes_on(config: Config) -> None:
         assert (await page.ended(1))["ended"] == "stopped"
 
     story(play, config)
+
+
+def test_a_process_that_is_prepared_computes_the_first_preview_and_there_is_no_other(config: Config) -> None:
+    async def play(page: Page, service: Service) -> None:
+        before = below(os.getpid())
+        await page.send("prepare-previews")
+        await page.send("prepare-previews")
+        preview = await previewed(page, 1, "drive:0.5")
+        assert preview["ended"] == "time"
+        await page.send("prepare-previews")
+        seen = below(os.getpid()) - before
+        await previewed(page, 2, "drive:0.4")
+        assert service.previews.processes == 1
+        assert below(os.getpid()) - before <= seen
+
+    story(play, config)
+
+
+def test_without_a_worker_nothing_is_prepared_and_a_preview_says_so(config: Config) -> None:
+    async def play(page: Page, service: Service) -> None:
+        await page.send("prepare-previews")
+        preview = await previewed(page, 1, "drive:0.5")
+        assert (preview["ended"], len(preview["problems"])) == ("error", 1)
+        assert service.previews.processes == 0
+
+    story(play, replace(config, worker=()))
 
 
 def test_the_processes_end_with_the_service(config: Config) -> None:

@@ -18,7 +18,8 @@ function same(one: unknown, other: unknown, key: string): boolean {
   const [mine, others] = [one as {[name: string]: unknown}, other as {[name: string]: unknown}]
   if (key === "comment") return mine.text === others.text
   for (const name in mine) if (!same(mine[name], partOf(others, name), name)) return false
-  for (const name in others) if (mine[name] === undefined && !same(partOf(mine, name), others[name], name)) return false
+  for (const name in others)
+    if (mine[name] === undefined && !same(partOf(mine, name), others[name], name)) return false
   return true
 }
 

@@ -25,7 +25,7 @@ import qualified Data.ByteString.Internal as Internal
 import Data.Int (Int16, Int64)
 import Data.Word (Word32, Word8)
 import Foreign.C.Error (throwErrno)
-import Foreign.C.Types (CInt (..), CSize (..), CULong (..))
+import Foreign.C.Types (CInt (..), CSize (..), CUInt (..), CULong (..))
 import Foreign.Marshal.Alloc (allocaBytes)
 import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (Ptr, castPtr, nullPtr, plusPtr)
@@ -41,6 +41,8 @@ noMailbox = nullPtr
 foreign import ccall unsafe "mmap" c_mmap :: Ptr () -> CSize -> CInt -> CInt -> CInt -> Int64 -> IO (Ptr Word32)
 
 foreign import ccall safe "poll" c_poll :: Ptr () -> CULong -> CInt -> IO CInt
+
+foreign import ccall unsafe "usleep" c_usleep :: CUInt -> IO CInt
 
 -- | The mailbox in a file of memory. Throws an 'IOError' when the descriptor is none.
 mapMailbox :: CInt -> IO Mailbox
@@ -69,29 +71,40 @@ isExpectedIn box
   | box == nullPtr = pure False
   | otherwise = (/= 0) <$> peek (word box expectedAt)
 
--- | The next batch; nothing when there is something to read on the link instead. Busy-waits for some 5 ms, longer than the simulator
--- sleeps between two looks, and then looks once in a millisecond.
+-- | The next batch; nothing when there is something to read on the link instead. Busy-waits first. Then the simulator waits for a core
+-- perhaps, which may be this one: short sleeps lend it, and later a look once in a millisecond.
 takeBatch :: CInt -> Mailbox -> IO (Maybe ByteString)
 takeBatch link box = spin spinLimit
   where
-    spin :: Int -> IO (Maybe ByteString)
-    spin left = do
+    spin left = look $ if left > 0 then spin (left - 1) else sleep shortSleeps
+    sleep :: Int -> IO (Maybe ByteString)
+    sleep left = do
+      _ <- if left > 0 then c_usleep shortSleep else pure 0
+      hasMore <- hasBytes link (if left > 0 then 0 else 1)
+      if hasMore then pure Nothing else look (sleep (max 0 (left - 1)))
+    look otherwise' = do
       size <- fromIntegral <$> peek (word box batchLengthAt)
-      if size /= 0 then Just <$> takeOut size else if left > 0 then spin (left - 1) else sleep
-    sleep = hasBytes link >>= \hasMore -> if hasMore then pure Nothing else spin 0
+      if size /= 0 then Just <$> takeOut size else otherwise'
     takeOut size = Internal.create size (\p -> copyBytes p (box `plusPtr` batchAt) size) <* poke (word box batchLengthAt) 0
 
--- | How often the program looks before it sleeps.
+-- | How often the program looks before it sleeps: for some 0.15 ms, three times what the simulator takes for a step.
 spinLimit :: Int
-spinLimit = 5000000
+spinLimit = 150000
 
--- | Whether a descriptor has something to read within a millisecond.
-hasBytes :: CInt -> IO Bool
-hasBytes descriptor = allocaBytes 8 $ \entry -> do
+-- | Microseconds of a short sleep, and how many there are.
+shortSleep :: CUInt
+shortSleep = 40
+
+shortSleeps :: Int
+shortSleeps = 50
+
+-- | Whether a descriptor has something to read within so many milliseconds.
+hasBytes :: CInt -> CInt -> IO Bool
+hasBytes descriptor milliseconds = allocaBytes 8 $ \entry -> do
   -- `struct pollfd`: descriptor, events asked for (POLLIN), events found. poll(2).
   poke (castPtr entry) descriptor
   poke (castPtr (entry `plusPtr` 4)) (1 :: Int16)
-  (> 0) <$> c_poll entry 1 1
+  (> 0) <$> c_poll entry 1 milliseconds
 
 -- | Leaves an answer there, if it fits.
 putAnswer :: Mailbox -> Builder -> IO Bool

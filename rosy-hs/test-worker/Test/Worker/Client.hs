@@ -39,6 +39,7 @@ module Test.Worker.Client
 
     -- * Looking at processes
     childrenOf,
+    sparesOf,
     allChildrenOf,
     descriptorsOf,
     threadStatus,
@@ -235,9 +236,16 @@ linesUntil op link = do
 closeLink :: Link -> IO ()
 closeLink (Link s _) = void (try (close s) :: IO (Either SomeException ()))
 
--- | The processes that a worker has started for runs and not yet buried; those that only answer questions stay.
+-- | The processes that a worker has started for runs and not yet buried; those that only answer questions stay, and so does the one for the next plain run.
 childrenOf :: Int -> IO [Int]
-childrenOf pid = allChildrenOf pid >>= filterM (fmap (/= "rosy-check\n") . nameOf)
+childrenOf = childrenNamed (`notElem` ["rosy-check\n", "rosy-spare\n"])
+
+-- | Those that wait for the next plain run.
+sparesOf :: Int -> IO [Int]
+sparesOf = childrenNamed (== "rosy-spare\n")
+
+childrenNamed :: (String -> Bool) -> Int -> IO [Int]
+childrenNamed fits pid = allChildrenOf pid >>= filterM (fmap fits . nameOf)
   where
     nameOf child = fromRight "" <$> (try (readFile ("/proc/" ++ show child ++ "/comm") >>= \s -> length s `seq` pure s) :: IO (Either IOException String))
 

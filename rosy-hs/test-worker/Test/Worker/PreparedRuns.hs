@@ -8,7 +8,7 @@ module Test.Worker.PreparedRuns (tests) where
 import Control.Monad (forM, forM_, replicateM, void, when)
 import Data.Aeson (Value (..), object, toJSON, (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
-import Data.List (sort)
+import Data.List (nub, sort)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import System.Posix.Signals (sigKILL, signalProcess)
@@ -61,6 +61,50 @@ tests day borrow =
         robot <- runPlainly worker "wrong" "main = simulate (Velocity True 0)" runMemory
         hear worker >>= (@?= "refused") . text "op"
         closeLink robot,
+      testCase "each plain run after the first begins in a process of its own that was forked before, and says the same" $ do
+        worker <- borrow
+        let plainly name source = do
+              robot <- runPlainly worker name source runMemory
+              started <- hear worker
+              text "op" started @?= "started"
+              at <- childrenOf (processId worker)
+              said <- threeSteps robot
+              closeLink robot
+              hear worker >>= (@?= "gone") . text "op"
+              pure (at, said)
+            spares = sparesOf (processId worker)
+        (_, first) <- plainly "first" several
+        before <- descriptorsOf (processId worker)
+        runs <- forM ["second", "third" :: Text] $ \name -> do
+          eventually "one waits" ((== 1) . length <$> spares)
+          waits <- spares
+          -- Its channel, and what it puts in the place of 0, 1 and 2.
+          mapM descriptorsOf waits >>= (@?= [5])
+          (at, said) <- plainly (toJSON name) several
+          at @?= waits
+          said @?= first
+          pure waits
+        assertBool "another process for each" (sort (concat runs) == nub (sort (concat runs)))
+        descriptorsOf (processId worker) >>= (@?= before)
+        -- A long one does not fit into the channel at once, perhaps.
+        (_, long') <- plainly "long" (several <> Text.replicate 190 ("-- " <> Text.replicate 999 "." <> "\n"))
+        long' @?= first
+        -- One that is lost is missed by nobody.
+        eventually "the next one waits" ((== 1) . length <$> spares)
+        spares >>= mapM_ (signalProcess sigKILL . fromIntegral)
+        eventually "it has ended" (null <$> spares)
+        (_, said) <- plainly "after a loss" several
+        said @?= first
+        eventually "another one waits" ((== 1) . length <$> spares)
+        robot <- runPlainly worker "wrong" "main = simulate (Velocity True 0)" runMemory
+        hear worker >>= (@?= "refused") . text "op"
+        closeLink robot
+        eventually "there is another" ((== 1) . length <$> spares)
+        killed <- runPlainly worker "killed" (long 12) runMemory
+        eventually "it is at work" ((== 1) . length <$> childrenOf (processId worker))
+        gone <- ask worker (kill "killed")
+        (text "op" gone, field "signal" gone) @?= ("gone", Number 9)
+        closeLink killed,
       testCase "a program that waits has the rights of one that runs: filter, capabilities, priority, descriptors" $ do
         worker <- borrow
         robot <- prepare worker "rights" several runMemory

@@ -14,10 +14,12 @@ module Rosy.Worker.ChildProcess
     runChecker,
     Beginning (..),
     runProgram,
+    runNextProgram,
     heapOverflowExitCode,
   )
 where
 
+import Control.Applicative ((<|>))
 import Control.Exception (AsyncException (HeapOverflow), IOException, displayException, evaluate, fromException, try)
 import Control.Monad (unless, when)
 import Data.Aeson (Series, pairs, (.=))
@@ -146,19 +148,48 @@ checkSource settings purpose session source = do
 -- | When a program begins.
 data Beginning
   = AtOnce
+  | -- | At once, in a child that has been forked, and has its large allocation area, before there was a program.
+    InSpare
   | -- | When the parent writes something. Until then the child has said that it is ready, and waits with as few rights as the program has.
     WhenAsked
   deriving (Eq)
 
 -- | Answers @started@ or @refused@ with a letter before the line, then runs the program over the link.
 runProgram :: Settings -> Session -> Beginning -> Fd -> Link -> SharedPage -> Order -> IO ()
-runProgram settings session beginning answer link page order = runToExit answer $ do
+runProgram settings session beginning answer link page order = runToExit answer (runOrder settings session beginning answer link page order)
+
+-- | The same for the order that arrives with its link. Until then the child prepares what takes a compilation longer than the compiling of a small
+-- program, and waits, with nothing of its parent's open.
+runNextProgram :: Settings -> Session -> Fd -> SharedPage -> IO ()
+runNextProgram settings session parent page = runToExit parent $ do
+  becomeWorker [parent, nullFd settings]
+  setProcessName "rosy-spare"
+  mapCode
+  setLargeAllocationArea compileAllocationArea
+  let next held passed = do
+        _ <- poll [(parent, Readable)] (-1)
+        got <- receive parent
+        case got of
+          WouldBlock -> next held passed
+          Closed -> pure ()
+          Bytes bytes descriptors -> case (splitLines held bytes, passed <|> descriptors) of
+            ((Line l : _, _), Just link) | Right (Run _ order) <- parseRequest l -> do
+              setProcessName "rosy-worker"
+              runOrder settings session InSpare parent link page order
+            ((_, rest), found) -> next rest found
+  next emptyLineBuffer Nothing
+
+runOrder :: Settings -> Session -> Beginning -> Fd -> Link -> SharedPage -> Order -> IO ()
+runOrder settings session beginning answer link page order = do
   began <- getMonotonicTime
   -- What may never be run has a run's priority from the beginning, also while it is compiled.
   when (beginning == WhenAsked) (lowerPriority runNiceness)
   mailbox <- maybe (pure noMailbox) (\(Fd fd) -> mapMailbox fd) (linkMailbox link)
   enterSandbox settings [answer, linkSocket link]
-  when hasLargeArea ((if beginning == AtOnce then setLargeAllocationArea else setAllocationArea) compileAllocationArea)
+  case beginning of
+    AtOnce -> when isLarge (setLargeAllocationArea compileAllocationArea)
+    InSpare -> pure ()
+    WhenAsked -> setAllocationArea compileAllocationArea
   when (beginning == WhenAsked) (keepYoung True)
   (report, mayRun) <- checkSource settings (if isPlain order then ForPlainRun else ForRun) session source
   let found = problems report
@@ -171,15 +202,18 @@ runProgram settings session beginning answer link page order = runToExit answer 
       protectMemory
       -- The program uses blocking reads, whatever mode the creator of the link has set.
       setFdOption (linkSocket link) NonBlockingRead False
-      when (beginning == AtOnce) (lowerPriority runNiceness)
+      when (beginning /= WhenAsked) (lowerPriority runNiceness)
       now <- getMonotonicTime
       let starting = "S" <> line ("problems" .= found <> "compile" .= (now - began) <> "uses" .= uses <> branchFields branches)
       -- These hold the whole checked program until they are computed.
       _ <- evaluate (ByteString.length starting + length (show places))
-      if beginning == WhenAsked then giveBack else when hasLargeArea shrink
+      case beginning of
+        AtOnce -> when isLarge shrink
+        InSpare -> pure ()
+        WhenAsked -> giveBack
       size <- dataSegmentSize
       let on layer = layer (protections settings)
-      when (on memoryLimit) $ limitHeap (if hasLargeArea then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
+      when (on memoryLimit) $ limitHeap (if beginning == WhenAsked || beginning == AtOnce && isLarge then memory - min memory (compileAllocationArea - runAllocationArea) else memory)
       when (on computingLimit) $ limitCpu (runSeconds settings)
       limitProcess (if on memoryLimit then size + 2 * memory + heapSlack else 0) (on processLimit)
       when (on systemCalls) filterRunning
@@ -192,7 +226,7 @@ runProgram settings session beginning answer link page order = runToExit answer 
     source = orderSource order
     memory = fromIntegral (max 0 (orderMemory order)) :: Word64
     -- For a small program that begins at once a larger area takes more time than it is worth.
-    hasLargeArea = beginning == WhenAsked || Text.length source > largeSourceLength
+    isLarge = Text.length source > largeSourceLength
 
 -- | Leaves of what a compilation has allocated only what the program needs, which waits, perhaps for long. For one that begins at once this would take
 -- more time than it is worth: a fifth of a run's with 501 lines. The second collection puts that beside what lives for long.

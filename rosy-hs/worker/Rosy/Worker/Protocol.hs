@@ -9,6 +9,7 @@ module Rosy.Worker.Protocol
   ( -- * Requests
     Request (..),
     Order (..),
+    orderLine,
     Question (..),
     questionBytes,
     Id,
@@ -71,6 +72,10 @@ data Order = Order
     isPlain :: Bool
   }
   deriving (Eq, Show)
+
+-- | A request for this run, as a line that 'parseRequest' reads. Its id is of no consequence.
+orderLine :: Order -> ByteString
+orderLine (Order source memory plain) = Lazy.toStrict (encode (object ["op" .= ("run" :: Text), "id" .= Null, "source" .= source, "memory" .= memory, "plain" .= plain])) <> "\n"
 
 -- | A question about a program.
 data Question

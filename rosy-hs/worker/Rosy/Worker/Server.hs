@@ -70,7 +70,7 @@ loop config session ended = go
             s2 <- if reaping then drain ended >> reapChildren s1 else pure s1
             s3 <- killExpired s2 >>= enforceCeilings config
             s4 <- if mine then receiveRequests config s3 else pure s3
-            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session >>= dispatchForks config session >>= dispatchPreparations config session >>= pausePreparations
+            s5 <- dispatchQuestions config session s4 >>= dispatchRuns config session >>= dispatchForks config session >>= dispatchPreparations config session >>= pausePreparations >>= dispatchSpare config session
             s6 <- if canWrite || not (Seq.null (outgoing s5)) then flush config s5 else pure s5
             go s6
           _ -> go s

@@ -14,6 +14,7 @@ module Rosy.Worker.SystemCalls
     receive,
     Sent (..),
     send,
+    sendWithLink,
 
     -- * Waiting
     watchChildren,
@@ -38,6 +39,7 @@ module Rosy.Worker.SystemCalls
     dropCapabilities,
     restrictChild,
     becomeWorker,
+    mapCode,
     protectMemory,
     lowerPriority,
     setProcessName,
@@ -84,6 +86,8 @@ foreign import ccall unsafe rosy_receive :: CInt -> Ptr Word8 -> CSize -> Ptr CI
 
 foreign import ccall unsafe rosy_send :: CInt -> Ptr CChar -> CSize -> IO CSsize
 
+foreign import ccall unsafe rosy_send_link :: CInt -> Ptr CChar -> CSize -> CInt -> Ptr CInt -> IO CInt
+
 foreign import ccall unsafe rosy_watch_children :: IO CInt
 
 foreign import ccall unsafe rosy_drain :: CInt -> IO ()
@@ -103,6 +107,8 @@ foreign import ccall unsafe rosy_page_keep :: Ptr Word32 -> IO ()
 foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
 
 foreign import ccall unsafe rosy_write_all :: CInt -> Ptr CChar -> CSize -> IO CInt
+
+foreign import ccall unsafe rosy_map_code :: IO ()
 
 foreign import ccall unsafe rosy_name :: CString -> IO CInt
 
@@ -200,6 +206,12 @@ send (Fd fd) bytes = unsafeUseAsCStringLen bytes $ \(buffer, size) -> do
     -2 -> Sent 0
     n | n < 0 -> PeerClosed
     n -> Sent (fromIntegral n)
+
+-- | Sends bytes with a copy of a link; whether all were sent. If not, the receiver must be given up.
+sendWithLink :: Fd -> ByteString -> Link -> IO Bool
+sendWithLink (Fd fd) bytes link = unsafeUseAsCStringLen bytes $ \(buffer, size) ->
+  withArrayLen [one | Fd one <- linkSocket link : maybe [] pure (linkMailbox link)] $ \count passed ->
+    (== 0) <$> rosy_send_link fd buffer (fromIntegral size) (fromIntegral count) passed
 
 -- | A descriptor that becomes readable when a child has ended.
 watchChildren :: IO Fd
@@ -313,6 +325,10 @@ protectMemory = void $ orThrow "protecting memory" rosy_protect_memory
 
 flag :: Bool -> CInt
 flag = fromIntegral . fromEnum
+
+-- | Maps the code of this process, so that it need not be mapped bit by bit when it is used.
+mapCode :: IO ()
+mapCode = rosy_map_code
 
 -- | Lowers the scheduling priority. A failure is ignored.
 lowerPriority :: Int -> IO ()

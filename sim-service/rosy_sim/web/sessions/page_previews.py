@@ -33,6 +33,10 @@ class PagePreviews:
         self._next = 0.0
         self._work: asyncio.Task[None] | None = None
 
+    def prepare(self) -> None:
+        """A request is likely to come soon."""
+        self._pool.prepare()
+
     def request(self, task: PreviewTask) -> None:
         """Compute this preview; an older one that is not finished is never answered."""
         self.cancel()

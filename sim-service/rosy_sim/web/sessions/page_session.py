@@ -134,6 +134,8 @@ class PageSession:
                     self._checks.check(request)
             case page.Complete():
                 self._checks.complete(request)
+            case page.PreparePreviews():
+                self._previews.prepare()
             case page.Preview():
                 self._preview(request)
             case page.ChooseLessonStep():

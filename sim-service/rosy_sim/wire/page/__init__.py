@@ -13,7 +13,7 @@ import msgspec
 
 from ..worker import Checked, Completed
 from .explanations import Because, BranchPlace, FiringShown, Observe, SentenceShown, Why, WhyNot, firing_shown
-from .programs import MAX_PREVIEW, Check, ChecksShown, ChooseLessonStep, Complete, Preview, Previewed
+from .programs import MAX_PREVIEW, Check, ChecksShown, ChooseLessonStep, Complete, PreparePreviews, Preview, Previewed
 from .recordings import Replay, ReplayBegun, RunRecorded
 from .robots import Alive, EmergencyStop, Free, Leave, RobotName, Robots, RobotState, Safety, SwitchSafety, Take, Unlock
 from .runs import (
@@ -67,6 +67,7 @@ __all__ = [
     "Leave",
     "Observe",
     "Pause",
+    "PreparePreviews",
     "Preview",
     "Previewed",
     "Refusal",
@@ -112,6 +113,7 @@ Request = (
     | Complete
     | Run
     | Replay
+    | PreparePreviews
     | Preview
     | Stop
     | Reset

@@ -45,6 +45,10 @@ class Preview(msgspec.Struct, tag="preview", tag_field="op"):
     seconds: float
 
 
+class PreparePreviews(msgspec.Struct, tag="prepare-previews", tag_field="op"):
+    """Previews are likely to be asked for soon."""
+
+
 class Previewed(msgspec.Struct, tag="previewed", tag_field="op"):
     """
     Where a program would drive, with the room, the seed and the hands of the last run. Points are time (s), x, y (m),

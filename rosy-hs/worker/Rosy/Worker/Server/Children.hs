@@ -8,6 +8,7 @@ module Rosy.Worker.Server.Children
     dispatchQuestions,
     dispatchRuns,
     dispatchPreparations,
+    dispatchSpare,
     pausePreparations,
     beginPrepared,
 
@@ -46,7 +47,7 @@ import Rosy.Worker.SystemCalls
 import Rosy.Worker.TimeBudget
 import System.Posix.IO (closeFd)
 import System.Posix.Process (forkProcess)
-import System.Posix.Signals (sigCONT, sigSTOP)
+import System.Posix.Signals (sigCONT, sigKILL, sigSTOP)
 import System.Posix.Types (Fd)
 
 -- | Assigns waiting questions while there are free slots.
@@ -93,35 +94,68 @@ dispatchRuns config session s
 
 startRun :: Config -> Session -> Id -> Order -> Link -> State -> IO State
 startRun config session i order link s = do
-  (_, begun) <- forkRun config session AtOnce i order link s
+  (taken, s') <- if isPlain order then takeSpare order link s else pure (Nothing, s)
+  begun <- case taken of
+    Just (pid, channel, shared) -> addJob config InSpare i pid channel shared s'
+    Nothing -> snd <$> forkRun config session AtOnce i order link s'
   begun <$ closeLink link
+
+-- | Gives an order to the spare child, if there is one that takes it at once; another is wanted then.
+takeSpare :: Order -> Link -> State -> IO (Maybe (Int, Fd, SharedPage), State)
+takeSpare order link s = case spare s of
+  Spare pid channel shared -> do
+    sent <- sendWithLink channel (orderLine order) link
+    if sent
+      then pure (Just (pid, channel, shared), s {spare = Missing})
+      else (Nothing, s {spare = Missing}) <$ (signal sigKILL pid >> closeFd channel >> freeSharedPage shared)
+  _ -> pure (Nothing, s {spare = Missing})
+
+-- | Forks the child for the next plain run while nothing is computed.
+dispatchSpare :: Config -> Session -> State -> IO State
+dispatchSpare config session s
+  | Missing <- spare s,
+    not (isOccupied s) = do
+    (pid, channel, shared) <- forkChild (runNextProgram (settings config) session)
+    pure s {spare = Spare pid channel shared}
+  | otherwise = pure s
 
 -- | A child that compiles and runs a program.
 forkRun :: Config -> Session -> Beginning -> Id -> Order -> Link -> State -> IO (Int, State)
 forkRun config session beginning i order link s = do
+  (pid, channel, shared) <- forkChild (\channel shared -> runProgram (settings config) session beginning channel link shared order)
+  (,) pid <$> addJob config beginning i pid channel shared s
+
+-- | A child with its channel and the page that it shares.
+forkChild :: (Fd -> SharedPage -> IO ()) -> IO (Int, Fd, SharedPage)
+forkChild life = do
   (mine, theirs) <- newSocketPair
   shared <- newSharedPage
-  pid <- fromIntegral <$> forkProcess (runProgram (settings config) session beginning theirs link shared order)
+  pid <- forkProcess (life theirs shared)
   unmapInChildren shared
   closeFd theirs
+  pure (fromIntegral pid, mine, shared)
+
+-- | The child with this process id has this run.
+addJob :: Config -> Beginning -> Id -> Int -> Fd -> SharedPage -> State -> IO State
+addJob config beginning i pid channel shared s = do
   now <- getMonotonicTime
   let job =
         Job
           { jobId = i,
-            wanted = beginning == AtOnce,
+            wanted = beginning /= WhenAsked,
             ready = False,
             paused = False,
             instead = Nothing,
             page = shared,
             started = False,
-            answers = Just mine,
+            answers = Just channel,
             inputBuffer = emptyLineBuffer,
             budget = Just (newBudget (compileSeconds config) now 0),
             answered = False,
             overrun = Nothing,
             compilerFailure = ""
           }
-  pure (pid, s {jobs = Map.insert pid job (jobs s)})
+  pure s {jobs = Map.insert pid job (jobs s)}
 
 -- | Compiles a program that may be run, one at a time, while there is nothing else to do.
 dispatchPreparations :: Config -> Session -> State -> IO State

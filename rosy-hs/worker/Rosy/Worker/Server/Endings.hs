@@ -79,6 +79,7 @@ activityOf job
 finishRun :: Int -> ProcessEnd -> State -> IO State
 finishRun pid how s = case Map.lookup pid (jobs s) of
   Nothing
+    | Spare own channel shared <- spare s, own == pid -> s {spare = NotWanted} <$ (closeFd channel >> freeSharedPage shared)
     | Just i <- Map.lookup pid (workers s) -> pure (reply (RunEnded i (exitOrSignal how) Nothing Nothing) s {workers = Map.delete pid (workers s)})
     | otherwise -> pure s
   Just job -> do

@@ -5,6 +5,7 @@ module Rosy.Worker.Server.State
   ( Config (..),
     Job (..),
     RunRequest (..),
+    Spare (..),
     ForkRequest (..),
     State (..),
     newState,
@@ -78,6 +79,15 @@ data Job = Job
     compilerFailure :: Text
   }
 
+-- | A child that has been forked before its run is asked for: a fork, and what it leaves to be mapped, take as long as compiling a small program. Only plain
+-- runs begin in it, which come one after the other while a person waits for each.
+data Spare
+  = -- | No plain run has been asked for since one was lost.
+    NotWanted
+  | Missing
+  | -- | Process id, channel, and the shared page with the active function.
+    Spare Int Fd SharedPage
+
 -- | A run that waits for others to be compiled.
 data RunRequest = RunRequest Id Order Link
 
@@ -97,6 +107,7 @@ data State = State
     -- | Runs whose compilation has not begun.
     waitingRuns :: Seq RunRequest,
     preparations :: Preparations,
+    spare :: Spare,
     -- | Workers that are not forked yet.
     waitingForks :: Seq ForkRequest,
     -- | Forked workers, by process id.
@@ -110,7 +121,7 @@ data State = State
 
 -- | Nothing is in hand, and the service is told that the worker is ready.
 newState :: State
-newState = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty noPreparations Seq.empty Map.empty 0 emptyCache False
+newState = State emptyLineBuffer Seq.empty (Seq.singleton (answerLine (Ready compilerVersion))) Map.empty emptyPool Seq.empty Seq.empty noPreparations NotWanted Seq.empty Map.empty 0 emptyCache False
 
 -- | Whether a run that has been asked for is being compiled.
 isCompiling :: Job -> Bool
