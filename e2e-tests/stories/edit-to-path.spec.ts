@@ -1,9 +1,11 @@
 /// A number or an operator is changed by one key after a run, in five programs, and the path follows. Prints how long after the key it stands in the room; a
 /// page of this file draws as often as the screen shows pictures, as for people, and not as seldom as those of the other stories.
 
-import {expect, test} from "@playwright/test"
+import {test as atAnyRate, expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {inTurn} from "./turns.ts"
+
+const test = inTurn(atAnyRate, import.meta.url)
 
 /// An example, words of its program, and the key that takes the place of their last letter: then it drives elsewhere.
 const changes = [
@@ -40,7 +42,7 @@ function watch(): void {
   })
 }
 
-inTurn(test, import.meta.url)("after one key the path follows, in each of five programs", async ({page}) => {
+test("after one key the path follows, in each of five programs", async ({page}) => {
   const learner = new Learner(page)
   const note = page.getByTestId("preview")
   const rows: string[] = []

@@ -157,6 +157,15 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     read: () => listener.read(),
   })
 
+  const recolour = () => {
+    palette = readPalette(canvas)
+    path.recolour(palette)
+    ground.forget()
+    changed()
+  }
+  // A browser may drop what is drawn, as after a fault of the graphics card.
+  canvas.addEventListener("contextrestored", recolour)
+
   const metres = () => {
     const k = size.ratio * camera.scale
     ctx.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
@@ -253,14 +262,10 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     },
     zoom: factor => zoomed(factor, size.w / 2, size.h / 2),
     whole,
-    recolour() {
-      palette = readPalette(canvas)
-      path.recolour(palette)
-      ground.forget()
-      changed()
-    },
+    recolour,
     dispose() {
       watcher.disconnect()
+      canvas.removeEventListener("contextrestored", recolour)
     },
   }
 }

@@ -8,6 +8,7 @@ import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
 import {framesBetween} from "../../src/state/recording.ts"
 import {reduce} from "../../src/state/reducer.ts"
+import {isOfRun} from "./event_player.ts"
 
 const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
 const frame = (run: number, step: number, fired: readonly string[] = []): PageEvent =>
@@ -41,7 +42,7 @@ function play(...events: readonly PageEvent[]) {
   for (const event of events) {
     const step = reduce(state, event)
     state = step.state
-    sent = step.effects.flatMap(e => (e.kind === "send" ? [e.message] : []))
+    sent = step.effects.flatMap(e => (e.kind === "send" && isOfRun(e.message) ? [e.message] : []))
   }
   const times = [...framesBetween(state.room.recording, 0, 100)].map(f => f.time)
   return {state, sent, times}

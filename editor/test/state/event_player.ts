@@ -8,7 +8,10 @@ import {reduce} from "../../src/state/reducer.ts"
 import {untranslated} from "../../src/state/sentence.ts"
 import type {Effect} from "../../src/state/transition.ts"
 
-/// Plays events in order; answers the last state and every message that was sent.
+/// Whether a message has to do with runs themselves; what prepares previews is tested with those.
+export const isOfRun = ({op}: {readonly op: string}): boolean => op !== "prepare-previews"
+
+/// Plays events in order; answers the last state and every message that was sent, without what prepares previews.
 export function play(state: PageState, ...events: readonly PageEvent[]) {
   const orders: Effect[] = []
   for (const event of events) {
@@ -16,7 +19,7 @@ export function play(state: PageState, ...events: readonly PageEvent[]) {
     state = step.state
     orders.push(...step.effects)
   }
-  const sent = orders.flatMap(o => (o.kind === "send" ? [o.message] : []))
+  const sent = orders.flatMap(o => (o.kind === "send" && isOfRun(o.message) ? [o.message] : []))
   return {state, orders, sent, ops: sent.map(m => m.op)}
 }
 

@@ -159,11 +159,11 @@ def test_a_pair_that_finds_its_two_cores_busy_shares_one_and_tries_again_after_l
         ask(link, core)
         for time, waiting, placement in [
             (1.0, 1.0, "shared"),
-            (1.2, 1.0, "shared"),
-            (1.5, 1.0, "separate"),
-            (2.0, 2.0, "shared"),
-            (2.9, 2.0, "shared"),
-            (3.0, 2.0, "separate"),
+            (1.01, 1.0, "shared"),
+            (1.03, 1.0, "separate"),
+            (1.1, 1.1, "shared"),
+            (1.13, 1.1, "shared"),
+            (1.15, 1.1, "separate"),
         ]:
             waited[:] = [time, waiting]
             ask(link, core)
