@@ -108,6 +108,9 @@ class Obstacles:
         # Whether a movable thing still slides; set by push().
         self.awake = False
         self._all_shapes = pymunk.ShapeFilter(mask=_STATIC | _MOVABLE)
+        # Among things that do not move: the last question for a free position, and its answer.
+        self._asked_position: tuple[float, float] | None = None
+        self._found_position: tuple[float, float] | None = None
         # Contacts that the current drag may still look at.
         self._contacts_left = 0
         self._robot = pymunk.Body(body.mass, body.inertia)
@@ -278,6 +281,15 @@ class Obstacles:
 
     def free_position(self, x: float, y: float) -> tuple[float, float] | None:
         """The position nearest to a point where the robot touches but does not enter anything, if one is near."""
+        if self._movable_shapes:
+            return self._searched_position(x, y)
+        # A robot that pushes against a wall asks the same in each step.
+        if (x, y) != self._asked_position:
+            self._asked_position = (x, y)
+            self._found_position = self._searched_position(x, y)
+        return self._found_position
+
+    def _searched_position(self, x: float, y: float) -> tuple[float, float] | None:
         for _ in range(_MAX_CORRECTIONS):
             depth, nx, ny = self._deepest(x, y)
             if depth <= _TOUCHING:

@@ -46,3 +46,19 @@ def test_a_room_is_freed_when_nothing_refers_to_it_without_the_garbage_collector
         assert [shape() for shape in shapes] == [None] * len(shapes)
     finally:
         gc.enable()
+
+
+@pytest.mark.parametrize("movable", [False, True])
+def test_a_free_position_is_the_same_whatever_was_asked_before(movable: bool) -> None:
+    """A question that was just asked is not computed again, unless things could have moved meanwhile."""
+    things = [{"x": 1 + i, "y": 1.5, "r": 0.2, "movable": movable} for i in range(3)]
+    arena = read_arena({"size": [4, 3], "rounds": things, "start": {"x": 0.5, "y": 0.5}})
+    asked = World(arena, DEFAULT_ROBOT).obstacles
+    # In the open, in a wall, in a thing, between two, and far outside.
+    points = [(0.5, 0.5), (0.1, 0.5), (1.05, 1.4), (1.5, 1.5), (-3.0, 0.5)]
+    for x, y in [point for point in points for _ in range(3)] + points:
+        assert asked.free_position(x, y) == World(arena, DEFAULT_ROBOT).obstacles.free_position(x, y)
+    if movable:
+        before = asked.free_position(1.05, 1.4)
+        asked.drag(0, 1.0, 2.4, 0.0, (0.5, 0.5))
+        assert asked.free_position(1.05, 1.4) == (1.05, 1.4) != before
