@@ -255,18 +255,24 @@ int rosy_protect_memory(void) {
 
 /*
  * Maps the code of all libraries that is in memory. A fork does not copy these mappings, and a compilation would add them one by one: a
- * third of the time of a small one. madvise(2), MADV_POPULATE_READ; a system without it maps them as before.
+ * third of the time of a small one. madvise(2), MADV_POPULATE_READ; a system without it maps them as before. It stops when there is something to
+ * read.
  */
-void rosy_map_code(void) {
+void rosy_map_code(int fd) {
 #ifdef MADV_POPULATE_READ
   FILE *maps = fopen("/proc/self/maps", "re");
   unsigned long start, end, inode;
   char line[512], access[5];
   if (!maps) return;
   while (fgets(line, sizeof line, maps))
-    if (sscanf(line, "%lx-%lx %4s %*s %*s %lu", &start, &end, access, &inode) == 4 && inode != 0 && access[2] == 'x')
+    if (sscanf(line, "%lx-%lx %4s %*s %*s %lu", &start, &end, access, &inode) == 4 && inode != 0 && access[2] == 'x') {
+      struct pollfd order = {.fd = fd, .events = POLLIN};
+      if (poll(&order, 1, 0) != 0) break;
       madvise((void *)start, end - start, MADV_POPULATE_READ);
+    }
   fclose(maps);
+#else
+  (void)fd;
 #endif
 }
 

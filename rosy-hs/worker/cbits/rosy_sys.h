@@ -27,7 +27,7 @@ int rosy_write_all(int fd, const char *buffer, size_t size);
 int rosy_drop_capabilities(void);
 int rosy_child_begin(int count, const int *keep, int null_fd, int no_files, int no_privileges);
 int rosy_protect_memory(void);
-void rosy_map_code(void);
+void rosy_map_code(int fd);
 int rosy_name(const char *name);
 int rosy_nice(int niceness);
 int rosy_filter_compiling(void);

@@ -14,6 +14,7 @@ import queue
 import socket
 import sys
 import threading
+from collections.abc import Callable
 
 import msgspec
 
@@ -30,6 +31,13 @@ from .preview import PreviewTask, RoomCache, preview_over_link, preview_settings
 __all__ = ["main"]
 
 
+_PAUSE = 0.03
+"""Between two tasks while a number is dragged, at most, s: the page draws the one and asks for the other."""
+
+_IN_A_ROW = 20
+"""Tasks after which there is a rest in any case: each counts in the budget of the next ones, as does its garbage."""
+
+
 class _Input:
     """Lines of standard input, read by a thread."""
 
@@ -37,9 +45,22 @@ class _Input:
         # Each with whether it is cancelled, which may be so before it is taken.
         self.tasks: queue.SimpleQueue[tuple[bytes, threading.Event]] = queue.SimpleQueue()
         self._cancelled = threading.Event()
+        # Tasks since the last rest.
+        self._in_a_row = 0
         # Ends the program at work; set while there is one.
         self.worker: BlockingWorker | None = None
         begin_reading(self._on_line)
+
+    def next_task(self, rest: Callable[[], None]) -> tuple[bytes, threading.Event]:
+        """The next task; what takes time between two is done when none comes soon, and after many in a row."""
+        self._in_a_row += 1
+        if self._in_a_row < _IN_A_ROW:
+            with contextlib.suppress(queue.Empty):
+                return self.tasks.get(timeout=_PAUSE)
+        self._in_a_row = 0
+        gc.collect()
+        rest()
+        return self.tasks.get()
 
     def _on_line(self, line: bytes) -> None:
         if line.strip():
@@ -72,12 +93,10 @@ def main() -> int:
                 gc.disable()
                 write_line(b"")
                 while True:
-                    line, cancelled = lines.tasks.get()
+                    line, cancelled = lines.next_task(budget.rest)
                     budget.begin()
                     task = msgspec.json.decode(line, type=PreviewTask)
                     write_line(msgspec.json.encode(_preview(worker, rooms, budget, task, setup.limits, cancelled)))
-                    gc.collect()
-                    budget.rest()
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status

@@ -164,8 +164,9 @@ runNextProgram :: Settings -> Session -> Fd -> SharedPage -> IO ()
 runNextProgram settings session parent page = runToExit parent $ do
   becomeWorker [parent, nullFd settings]
   setProcessName "rosy-spare"
-  mapCode
-  setLargeAllocationArea compileAllocationArea
+  mapCode parent
+  isAsked <- any fst <$> poll [(parent, Readable)] 0
+  unless isAsked (setLargeAllocationArea compileAllocationArea)
   let next held passed = do
         _ <- poll [(parent, Readable)] (-1)
         got <- receive parent
@@ -175,7 +176,7 @@ runNextProgram settings session parent page = runToExit parent $ do
           Bytes bytes descriptors -> case (splitLines held bytes, passed <|> descriptors) of
             ((Line l : _, _), Just link) | Right (Run _ order) <- parseRequest l -> do
               setProcessName "rosy-worker"
-              runOrder settings session InSpare parent link page order
+              runOrder settings session (if isAsked then AtOnce else InSpare) parent link page order
             ((_, rest), found) -> next rest found
   next emptyLineBuffer Nothing
 

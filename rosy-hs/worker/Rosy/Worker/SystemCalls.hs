@@ -108,7 +108,7 @@ foreign import ccall unsafe rosy_pair :: Ptr CInt -> IO CInt
 
 foreign import ccall unsafe rosy_write_all :: CInt -> Ptr CChar -> CSize -> IO CInt
 
-foreign import ccall unsafe rosy_map_code :: IO ()
+foreign import ccall unsafe rosy_map_code :: CInt -> IO ()
 
 foreign import ccall unsafe rosy_name :: CString -> IO CInt
 
@@ -326,9 +326,9 @@ protectMemory = void $ orThrow "protecting memory" rosy_protect_memory
 flag :: Bool -> CInt
 flag = fromIntegral . fromEnum
 
--- | Maps the code of this process, so that it need not be mapped bit by bit when it is used.
-mapCode :: IO ()
-mapCode = rosy_map_code
+-- | Maps the code of this process, so that it need not be mapped bit by bit when it is used, until there is something to read.
+mapCode :: Fd -> IO ()
+mapCode (Fd fd) = rosy_map_code fd
 
 -- | Lowers the scheduling priority. A failure is ignored.
 lowerPriority :: Int -> IO ()
