@@ -1,11 +1,12 @@
 /// A number or an operator is changed by one key after a run, in five programs, and the path follows. Prints how long after the key it stands in the room; a
 /// page of this file draws as often as the screen shows pictures, as for people, and not as seldom as those of the other stories.
 
-import {test as atAnyRate, expect} from "@playwright/test"
+import {expect, test as unthrottled} from "@playwright/test"
+import {row} from "../bench/service.ts"
 import {Learner} from "./learner.ts"
 import {inTurn} from "./turns.ts"
 
-const test = inTurn(atAnyRate, import.meta.url)
+const test = inTurn(unthrottled, import.meta.url)
 
 /// An example, words of its program, and the key that takes the place of their last letter: then it drives elsewhere.
 const changes = [
@@ -45,7 +46,6 @@ function watch(): void {
 test("after one key the path follows, in each of five programs", async ({page}) => {
   const learner = new Learner(page)
   const note = page.getByTestId("preview")
-  const rows: string[] = []
   for (const [name, words, key] of changes) {
     await learner.opens(name)
     await page.getByLabel("Speed", {exact: true}).selectOption("4")
@@ -63,10 +63,6 @@ test("after one key the path follows, in each of five programs", async ({page}) 
       await page.keyboard.press("Control+z")
       await expect(note).toBeHidden()
     }
-    const median = [...times].sort((a, b) => a - b)[Math.floor(edits / 2)] ?? Number.NaN
-    rows.push(
-      `  ${name.padEnd(20)} ${median.toFixed(0).padStart(4)} ms   (${times.map(t => t.toFixed(0)).join(", ")})`,
-    )
+    row(`${name}: from a key to the path of 10 s (goal 100 ms)`, times)
   }
-  console.log(`From a key to the path of 10 s, median of ${edits}; goal 100 ms:\n${rows.join("\n")}`)
 })

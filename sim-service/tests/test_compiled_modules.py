@@ -82,7 +82,7 @@ def test_a_run_is_the_same_to_the_last_byte_whether_its_modules_are_compiled_or_
 
 
 def test_what_was_to_be_compiled_was_compiled() -> None:
-    # Without the folder nobody has tried yet; with it and without the file it failed, and `./rosy` went on.
+    # No folder: not attempted. A folder without the file: it failed, and `./rosy` continued with the sources.
     assert not COMPILED.is_dir() or (COMPILED / SOURCES).is_file(), "see .rosy/log/compiled.log"
 
 

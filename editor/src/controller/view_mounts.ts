@@ -131,7 +131,7 @@ export function mountSource(
     },
     edited(text, changes, isOwn) {
       // A preview need not wait for the document.
-      if (mayPreview(store.now)) store.dispatch({kind: "typed", text})
+      if (mayPreview(store.now)) store.dispatch({kind: "text-typed", text})
       editor.typing.typed(text, changes, isOwn)
       edited()
     },

@@ -28,7 +28,7 @@ export function withPreview(before: PageState, {state, effects: others}: Transit
     : others
   const {preview} = state.room
   // The blocks follow a text some milliseconds later; the preview needs none.
-  const text = state.typed ?? state.document.program.text
+  const text = state.pendingText ?? state.document.program.text
   const wants = mayPreview(state) && text !== preview.ran && text !== ""
   if (!wants)
     return preview.asked === null && preview.answer === null

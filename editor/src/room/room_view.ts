@@ -90,7 +90,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
   let before: TimedPose | null = null
   let last: TimedPose | null = null
   let lastFrame: Frame | null = null
-  /// What is drawn; `null` when it must be drawn again whatever it is.
+  /// The state of the last drawing; `null` forces a new one.
   let drawn: {readonly room: RoomState; readonly sight: RoomViewOptions} | null = null
   // A picture of the whole room does not move; one from nearby may, as far as half of itself.
   const margin = () => (look === null ? 0 : 0.5)

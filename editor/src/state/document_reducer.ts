@@ -20,8 +20,8 @@ export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Tra
       return openProgram(state, event.opened)
     case "followed":
       return followProgram(state, event)
-    case "typed":
-      return still({...state, typed: event.text})
+    case "text-typed":
+      return still({...state, pendingText: event.text})
     case "program-changed": {
       const {numberDrag: drag} = state
       const history = recordChange(state.history, state.document, event.by, event.at, drag)
@@ -66,7 +66,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     name: opened.name,
     saved: "saved",
     document: opened.document,
-    typed: null,
+    pendingText: null,
     history: opened.history,
     // Where a program without a room of its own is opened is its room from then on.
     worldName: opened.world ?? state.worldName,
@@ -125,7 +125,7 @@ const moved =
 
 /// Makes another document the program. What the last run said was about the old one.
 function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Transition {
-  const changed: PageState = {...state, document, typed: null, saved: "changed"}
+  const changed: PageState = {...state, document, pendingText: null, saved: "changed"}
   if (document.program.text === state.document.program.text) return still(changed)
   const changes = edit ?? changesBetween(state.document.program.text, document.program.text)
   return check({

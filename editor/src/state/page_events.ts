@@ -100,7 +100,7 @@ export type DocumentEvent =
       readonly at: number
     }
   /// The learner has typed; the document follows with the next `program-changed`.
-  | {readonly kind: "typed"; readonly text: string}
+  | {readonly kind: "text-typed"; readonly text: string}
   /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.
   | {
       readonly kind: "program-changed"

@@ -90,7 +90,7 @@ export interface PageState {
   readonly saved: "saved" | "changed" | "failed"
   readonly document: Document
   /// The text as it is being typed, until the document has it; `null` when there is no other.
-  readonly typed: string | null
+  readonly pendingText: string | null
   readonly history: History
   readonly worldName: string | WorldFile | null
   /// `null` while the room is the learner's own. Another choice of room leaves it; then `by` is not the name of the room.
@@ -221,7 +221,7 @@ export const initialState: PageState = {
   name: "",
   saved: "saved",
   document: emptyDocument,
-  typed: null,
+  pendingText: null,
   history: emptyHistory,
   worldName: null,
   replacedRoom: null,

@@ -55,7 +55,7 @@ function next(state: PageState, event: PageEvent): Transition {
       return reduceRobotEvent(state, event)
     case "opened":
     case "followed":
-    case "typed":
+    case "text-typed":
     case "program-changed":
     case "analysed":
     case "undo-pressed":

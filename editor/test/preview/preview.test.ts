@@ -90,7 +90,7 @@ describe("a preview is asked for", () => {
     expect(told({kind: "previewing", previewing: false}, run, running, ended, edit("a"))).toEqual([])
   })
   it("as soon as it is typed, before the document has it, and not again", () => {
-    const typed = {kind: "typed", text: "a"} as const
+    const typed = {kind: "text-typed", text: "a"} as const
     expect(play(run, running, ended, typed).asked.map(({source}) => source)).toEqual(["a"])
     expect(play(run, running, ended, typed, edit("a"), edit("b")).asked.map(({source}) => source)).toEqual([
       "a",
@@ -99,7 +99,7 @@ describe("a preview is asked for", () => {
     expect(play(run, running, ended, typed, {kind: "dialog", dialog: null}).asked).toHaveLength(1)
   })
   it("not for what was typed into a program that is no longer open", () => {
-    expect(play({kind: "typed", text: "a"}, {kind: "opened", opened}).state.typed).toBeNull()
+    expect(play({kind: "text-typed", text: "a"}, {kind: "opened", opened}).state.pendingText).toBeNull()
   })
   it("when previews are switched on again", () => {
     const off = {kind: "previewing", previewing: false} as const

@@ -13,7 +13,7 @@ from collections.abc import Callable, Mapping
 
 import psutil
 
-__all__ = ["PATIENCE", "ComputingBudget", "computed_times"]
+__all__ = ["PATIENCE", "ComputingBudget", "processor_times"]
 
 PATIENCE = 10.0
 """Seconds on the clock for each second of processor time."""
@@ -22,7 +22,7 @@ _SHORTEST_PAUSE = 0.25
 """Between two looks, s: each reads the whole process table."""
 
 
-def computed_times() -> dict[psutil.Process, float]:
+def processor_times() -> dict[psutil.Process, float]:
     """Processor time that this process and each below it have used, s."""
     own = psutil.Process()
     times = {}
@@ -40,7 +40,7 @@ class ComputingBudget:
         self,
         seconds: float,
         now: Callable[[], float] = time.monotonic,
-        computed: Callable[[], Mapping[psutil.Process, float]] = computed_times,
+        computed: Callable[[], Mapping[psutil.Process, float]] = processor_times,
     ) -> None:
         self._seconds = seconds
         self._now = now
@@ -48,15 +48,15 @@ class ComputingBudget:
         self._before: Mapping[psutil.Process, float] = {}
         # When the preview has waited for too long, and when the processor times are looked at again.
         self._expires = self._review = 0.0
-        self.rest()
+        self.measure_baseline()
         self.begin()
 
-    def rest(self) -> None:
-        """Note what has been used before the next preview. It takes some milliseconds, for which nobody waits then."""
+    def measure_baseline(self) -> None:
+        """Read the processor times that do not count for the next preview. Takes some milliseconds; call while idle."""
         self._before = self._computed()
 
     def begin(self) -> None:
-        """A preview begins, soon after ``rest``."""
+        """A preview begins, soon after ``measure_baseline``."""
         now = self._now()
         self._expires = now + PATIENCE * self._seconds
         self._review = now + self._seconds

@@ -14,7 +14,7 @@ import queue
 import socket
 import sys
 import threading
-from collections.abc import Callable
+import time
 
 import msgspec
 
@@ -32,10 +32,12 @@ __all__ = ["main"]
 
 
 _PAUSE = 0.03
-"""Between two tasks while a number is dragged, at most, s: the page draws the one and asks for the other."""
+"""For how long the next task is awaited before the process does its idle work, s: while a number is dragged, the page
+draws one preview and asks for the next."""
 
-_IN_A_ROW = 20
-"""Tasks after which there is a rest in any case: each counts in the budget of the next ones, as does its garbage."""
+_MAX_BUSY = 0.5
+"""Time spent on previews after which the idle work is done in any case, s: the budget of a preview is too small by what
+the previews since then have used."""
 
 
 class _Input:
@@ -45,22 +47,16 @@ class _Input:
         # Each with whether it is cancelled, which may be so before it is taken.
         self.tasks: queue.SimpleQueue[tuple[bytes, threading.Event]] = queue.SimpleQueue()
         self._cancelled = threading.Event()
-        # Tasks since the last rest.
-        self._in_a_row = 0
         # Ends the program at work; set while there is one.
         self.worker: BlockingWorker | None = None
         begin_reading(self._on_line)
 
-    def next_task(self, rest: Callable[[], None]) -> tuple[bytes, threading.Event]:
-        """The next task; what takes time between two is done when none comes soon, and after many in a row."""
-        self._in_a_row += 1
-        if self._in_a_row < _IN_A_ROW:
-            with contextlib.suppress(queue.Empty):
-                return self.tasks.get(timeout=_PAUSE)
-        self._in_a_row = 0
-        gc.collect()
-        rest()
-        return self.tasks.get()
+    def next_task(self, timeout: float) -> tuple[bytes, threading.Event] | None:
+        """The next task, if it arrives within so many seconds."""
+        try:
+            return self.tasks.get(timeout=timeout)
+        except queue.Empty:
+            return None
 
     def _on_line(self, line: bytes) -> None:
         if line.strip():
@@ -88,15 +84,26 @@ def main() -> int:
                 worker.ready()
                 lines.worker = worker
                 rooms, budget = RoomCache(), ComputingBudget(setup.limits.preview)
-                # Between two previews nobody waits for a collection.
+                # Garbage is collected between previews only.
                 keep_what_is_loaded()
                 gc.disable()
                 write_line(b"")
+                # Time spent on previews since the last idle work, s.
+                busy = 0.0
+                following = lines.tasks.get()
                 while True:
-                    line, cancelled = lines.next_task(budget.rest)
+                    line, cancelled = following
+                    began = time.monotonic()
                     budget.begin()
                     task = msgspec.json.decode(line, type=PreviewTask)
                     write_line(msgspec.json.encode(_preview(worker, rooms, budget, task, setup.limits, cancelled)))
+                    busy += time.monotonic() - began
+                    soon = lines.next_task(_PAUSE) if busy < _MAX_BUSY else None
+                    if soon is None:
+                        gc.collect()
+                        budget.measure_baseline()
+                        busy = 0.0
+                    following = soon or lines.tasks.get()
         except RosyError as error:
             sys.stderr.write(f"rosy: a preview process ends: {error}\n")
             return error.exit_status

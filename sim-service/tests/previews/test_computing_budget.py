@@ -9,7 +9,7 @@ import time
 import psutil
 import pytest
 
-from rosy_sim.previews.computing_budget import PATIENCE, ComputingBudget, computed_times
+from rosy_sim.previews.computing_budget import PATIENCE, ComputingBudget, processor_times
 
 SECONDS = 3.0
 OWN = psutil.Process()
@@ -49,7 +49,7 @@ def test_the_time_of_this_process_and_those_below_it_is_counted() -> None:
         child.stdout.readline()
         own = time.process_time()
         # The system counts in hundredths of a second.
-        assert sum(computed_times().values()) >= own + 0.2
+        assert sum(processor_times().values()) >= own + 0.2
         child.communicate(b"\n")
 
 
@@ -67,7 +67,7 @@ def test_each_preview_has_the_whole_budget_whatever_ended_before_it() -> None:
     clock = 9.0
     times[OWN] = 53.5
     assert budget.is_used_up()
-    budget.rest()
+    budget.measure_baseline()
     budget.begin()
     clock += 3.0
     assert not budget.is_used_up()

@@ -76,27 +76,27 @@ isExpectedIn box
 takeBatch :: CInt -> Mailbox -> IO (Maybe ByteString)
 takeBatch link box = spin spinLimit
   where
-    spin left = look $ if left > 0 then spin (left - 1) else sleep shortSleeps
+    spin left = look $ if left > 0 then spin (left - 1) else sleep maxShortSleeps
     sleep :: Int -> IO (Maybe ByteString)
     sleep left = do
       _ <- if left > 0 then c_usleep shortSleep else pure 0
       hasMore <- hasBytes link (if left > 0 then 0 else 1)
       if hasMore then pure Nothing else look (sleep (max 0 (left - 1)))
-    look otherwise' = do
+    look whenEmpty = do
       size <- fromIntegral <$> peek (word box batchLengthAt)
-      if size /= 0 then Just <$> takeOut size else otherwise'
+      if size /= 0 then Just <$> takeOut size else whenEmpty
     takeOut size = Internal.create size (\p -> copyBytes p (box `plusPtr` batchAt) size) <* poke (word box batchLengthAt) 0
 
 -- | How often the program looks before it sleeps: for some 0.15 ms, three times what the simulator takes for a step.
 spinLimit :: Int
 spinLimit = 150000
 
--- | Microseconds of a short sleep, and how many there are.
+-- | Microseconds of a short sleep, and how many follow one another.
 shortSleep :: CUInt
 shortSleep = 40
 
-shortSleeps :: Int
-shortSleeps = 50
+maxShortSleeps :: Int
+maxShortSleeps = 50
 
 -- | Whether a descriptor has something to read within so many milliseconds.
 hasBytes :: CInt -> CInt -> IO Bool

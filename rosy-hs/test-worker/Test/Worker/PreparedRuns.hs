@@ -89,7 +89,7 @@ tests day borrow =
         -- A long one does not fit into the channel at once, perhaps.
         (_, long') <- plainly "long" (several <> Text.replicate 190 ("-- " <> Text.replicate 999 "." <> "\n"))
         long' @?= first
-        -- One that is lost is missed by nobody.
+        -- A spare child that dies is replaced; the run after it is not affected.
         eventually "the next one waits" ((== 1) . length <$> spares)
         spares >>= mapM_ (signalProcess sigKILL . fromIntegral)
         eventually "it has ended" (null <$> spares)

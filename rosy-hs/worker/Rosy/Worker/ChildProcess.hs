@@ -165,6 +165,7 @@ runNextProgram settings session parent page = runToExit parent $ do
   becomeWorker [parent, nullFd settings]
   setProcessName "rosy-spare"
   mapCode parent
+  -- An order that is there already does not wait for the large area.
   isAsked <- any fst <$> poll [(parent, Readable)] 0
   unless isAsked (setLargeAllocationArea compileAllocationArea)
   let next held passed = do
