@@ -64,7 +64,7 @@ class Command c where
   -- | What a value of this type does.
   command :: Plan c
   default command :: Value c => Plan c
-  command = Plain (\x -> Then (Emit (carried x) (shown x)))
+  command = Plain (\x rest -> Then (Emit (carried x) (shown x)) rest)
 
 -- | A value on its way out of a firing: computed here, so that an error is blamed on the function that made it,
 -- and what is kept is a value and no promise.
@@ -120,36 +120,41 @@ instance Command Cancel
 
 -- | A command on a channel. The noun names it in the message about a number that is none.
 sent :: Packed c => String -> Channel -> Plan c
-sent noun channel = Plain (\c -> let !fields = evaluated (map whole (pack c)) in Then (Act (Action channel fields)))
+sent noun channel = Plain (\c rest -> let !fields = checked (pack c) in Then (Act (Action channel fields)) rest)
   where
-    evaluated fields = foldr seq fields fields
-    whole field = case field of
+    checked fields
+      | all fits fields = fields
+      | otherwise = let short = map shortened fields in foldr seq short short
+    fits field = case field of
       -- The wire has no word for an endless or undefined number, and no wheel can turn at one.
       Number x
-        | x - x == 0 -> field -- Of no other number this is so, and it costs less than to ask twice.
+        | x - x == 0 -> True -- Of no other number this is so, and it costs less than to ask twice.
         | otherwise -> throw (NotANumber noun)
+      Text _ -> False
+      Whole _ -> True
+      Structure _ -> True
+    shortened field = case field of
       Text text -> let line = take longestLine text in foldr seq (Text line) line
-      Whole _ -> field
-      Structure _ -> field
+      _ -> fits field `seq` field
 
 -- | The most characters of one text; a bubble shows far fewer. A choice of ours, so that an endless text ends.
 longestLine :: Int
 longestLine = 10000
 
 instance Default a => Command (Memory a) where
-  command = Plain (\(Memory x) -> Then (Remember (typeRep (Proxy @a)) (Kept (carried x) (shown x))))
+  command = Plain (\(Memory x) rest -> Then (Remember (typeRep (Proxy @a)) (Kept (carried x) (shown x))) rest)
 
 instance Default a => Command (Param a) where
-  command = Plain (\(Param x) -> Then (Share (typeRep (Proxy @a)) (Kept (carried x) (shown x))))
+  command = Plain (\(Param x) rest -> Then (Share (typeRep (Proxy @a)) (Kept (carried x) (shown x))) rest)
 
 instance Value a => Command (Done a) where
-  command = Plain (\(Done x) -> Then (End (carried x) (shown x)))
+  command = Plain (\(Done x) rest -> Then (End (carried x) (shown x)) rest)
 
 instance Value a => Command (Feedback a) where
-  command = Plain (\(Feedback x) -> Then (Feed (carried x) (shown x)))
+  command = Plain (\(Feedback x) rest -> Then (Feed (carried x) (shown x)) rest)
 
 instance Command Call where
-  command = Plain (\(Call calling) -> Then (StartCall calling))
+  command = Plain (\(Call calling) rest -> Then (StartCall calling) rest)
 
 -- ---------------------------------------------------------------------------------------------
 -- Shapes
@@ -160,13 +165,13 @@ instance Command Never where command = Plain (\Never rest -> rest)
 
 instance (Sensor a, Command b) => Command (a -> b) where
   command = case command of
-    Plain give -> Needing sensor (\f x -> give (f x))
-    Needing more give -> Needing (both sensor more) (\f (x, n) -> give (f x) n)
+    Plain give -> Needing sensor (\f x rest -> give (f x) rest)
+    Needing more give -> Needing (both sensor more) (\f (x, n) rest -> give (f x) n rest)
 
 instance Command a => Command (Maybe a) where
   command = case command of
-    Plain give -> Plain (maybe id give)
-    Needing s give -> Needing s (\m n -> maybe id (`give` n) m)
+    Plain give -> Plain (\m rest -> maybe rest (`give` rest) m)
+    Needing s give -> Needing s (\m n rest -> maybe rest (\x -> give x n rest) m)
 
 instance Command a => Command [a] where
   command = case command of
@@ -177,14 +182,14 @@ instance (Command a, Command b) => Command (Either a b) where
   command = pair command command either
 
 instance (Command a, Command b) => Command (a, b) where
-  command = pair command command (\giveA giveB (a, b) -> giveA a . giveB b)
+  command = pair command command (\giveA giveB (a, b) rest -> giveA a (giveB b rest))
 
 -- | Two plans as one, whose inputs are those of both.
 pair :: Plan a -> Plan b -> ((a -> Effects -> Effects) -> (b -> Effects -> Effects) -> c -> Effects -> Effects) -> Plan c
 pair (Plain a) (Plain b) join = Plain (join a b)
-pair (Plain a) (Needing s b) join = Needing s (\c n -> join a (`b` n) c)
-pair (Needing s a) (Plain b) join = Needing s (\c n -> join (`a` n) b c)
-pair (Needing s a) (Needing t b) join = Needing (both s t) (\c (n, m) -> join (`a` n) (`b` m) c)
+pair (Plain a) (Needing s b) join = Needing s (\c n rest -> join a (`b` n) c rest)
+pair (Needing s a) (Plain b) join = Needing s (\c n rest -> join (`a` n) b c rest)
+pair (Needing s a) (Needing t b) join = Needing (both s t) (\c (n, m) rest -> join (`a` n) (`b` m) c rest)
 
 nested :: (c -> (a, b)) -> Plan (a, b) -> Plan c
 nested split (Plain give) = Plain (give . split)

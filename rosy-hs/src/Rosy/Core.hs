@@ -2,6 +2,7 @@
 {-# LANGUAGE PatternSynonyms #-}
 {-# LANGUAGE RankNTypes #-}
 {-# LANGUAGE StrictData #-}
+{-# LANGUAGE UnboxedTuples #-}
 
 -- |
 -- Module      : Rosy.Core
@@ -68,7 +69,7 @@ module Rosy.Core
 where
 
 import Control.Monad (ap, liftM)
-import Data.Bits (bit, complement, (.&.), (.|.))
+import Data.Bits (bit, complement, unsafeShiftL, (.&.), (.|.))
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Builder as Builder
 import qualified Data.ByteString.Lazy as Lazy
@@ -77,6 +78,7 @@ import Data.IntMap.Strict (IntMap)
 import Data.Map.Strict (Map)
 import Data.Typeable (TypeRep)
 import Data.Word (Word64)
+import GHC.Fingerprint (Fingerprint)
 import Rosy.Channel (Action (..), Channel (..), Field, Kind (..), Message (..))
 import System.Random (StdGen, split)
 
@@ -103,8 +105,8 @@ data Event = Event
 -- | The number of a running task; 0 is the program outside tasks.
 type ScopeId = Int
 
--- | One value per type.
-type Memories = Map TypeRep Kept
+-- | One value per type, by the fingerprint of the type: two words, which are quicker to compare than types.
+type Memories = Map Fingerprint Kept
 
 -- | A value that is remembered, and how Haskell shows it: computed only when it is shown.
 data Kept = Kept Dynamic ~String
@@ -148,7 +150,7 @@ interestIn occurrence = case occurrence of
 
 -- | The messages of one channel.
 channelInterest :: Channel -> Interest
-channelInterest channel = bit (channelNumber channel + 3)
+channelInterest channel = unsafeShiftL 1 (channelNumber channel + 3)
 
 -- | The messages at which functions of states fire: odometry.
 clockInterest :: Interest
@@ -249,7 +251,8 @@ data Reading a = Reading
     needs :: Interest,
     -- | How many random generators it uses up.
     generators :: Int,
-    readNow :: Env -> a
+    -- | The value, in a box that costs nothing: that it is there is known at once, and it may itself be a promise.
+    readNow :: Env -> (# a #)
   }
 
 -- ---------------------------------------------------------------------------------------------

@@ -1,3 +1,5 @@
+{-# LANGUAGE BangPatterns #-}
+
 -- |
 -- Module      : Rosy.Loop
 -- Description : One deterministic loop: a network and an instant in, firings and commands and the next network out.
@@ -37,6 +39,7 @@ module Rosy.Loop
 where
 
 import Data.Bits ((.|.))
+import Data.Dynamic (dynTypeRep)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
@@ -72,17 +75,11 @@ begin start program = runStep (advance stepLimit program) world0 resting
     world0 =
       World
         { env = Env IntMap.empty 0 (startTime start) (startClock start) (startGen start) 0 IntMap.empty Map.empty,
-          queue = [],
-          emitted = 0,
           actions = [],
           heard = [],
-          ending = Nothing,
-          fed = [],
-          begun = [],
-          nextScope = 0,
-          cleanups = IntMap.empty,
-          moving = [],
-          turning = ByStart
+          queue = [],
+          emitted = 0,
+          tasks = Tasks {ending = Nothing, fed = [], begun = [], nextScope = 0, cleanups = IntMap.empty, moving = [], turning = ByStart}
         }
 
 -- | What an instant is about.
@@ -91,33 +88,31 @@ data What = Hear !Message | TickNow
 
 -- | One instant, at so many seconds: a message or a tick, and then rounds of the events that were emitted.
 instant :: Double -> What -> Network -> Turn
-instant time what (Network running w) = runStep (deliver occurrence running >>= rounds roundLimit) w' resting
+instant time what (Network running w) = case what of
+  Hear message@(Message channel fields) -> case channelKind channel of
+    EventChannel -> at (Sensed message) (env w) {envTime = time} (tellMessage message : heard w)
+    _ -> at (Sensed message) (refreshed time channel fields (env w)) (heard w)
+  TickNow -> at Tick (env w) {envTime = time} (heard w)
   where
-    occurrence = case what of
-      Hear message -> Sensed message
-      TickNow -> Tick
-    w' = case what of
-      Hear message@(Message channel fields) -> case channelKind channel of
-        EventChannel -> w {env = (env w) {envTime = time}, heard = tellMessage message : heard w, fed = []}
-        _ -> w {env = refreshed channel fields (env w) {envTime = time}, fed = []}
-      TickNow -> w {env = (env w) {envTime = time}, fed = []}
+    at !occurrence !now told =
+      let !w' = w {env = now, heard = told, tasks = unfed (tasks w)}
+       in runStep (deliver occurrence running) w' (rounds roundLimit)
+
+-- | With the new value of a state.
+refreshed :: Double -> Channel -> [Field] -> Env -> Env
+refreshed time channel fields e =
+  e {envTime = time, envStates = IntMap.insert (channelNumber channel) fields (envStates e), envArrived = envArrived e .|. channelInterest channel}
+
+-- | Feedback that nobody took in the instant before is gone.
+unfed :: Tasks -> Tasks
+unfed t = if null (fed t) then t else t {fed = []}
 
 -- | Deliver what was emitted, round by round, and what that emits.
-rounds :: Int -> Running r -> Step (Running r)
-rounds left running
-  | left == 0 = pure running
-  | otherwise = case running of
-    Returned _ -> pure running
-    _ -> do
-      pending <-
-        Step
-          ( \w k -> case queue w of
-              [] -> k [] w
-              found -> k (reverse found) w {queue = []}
-          )
-      case pending of
-        [] -> pure running
-        _ -> each pending running >>= rounds (left - 1)
+rounds :: Int -> Running r -> World -> Turn
+rounds !left running !w = case (queue w, running) of
+  (_ : _, Returned _) -> resting running w
+  (found@(_ : _), _) | left > 0 -> runStep (each (reverse found) running) w {queue = []} (rounds (left - 1))
+  _ -> resting running w
   where
     each [] r = pure r
     each (e : es) r = deliver (Emitted e) r >>= each es
@@ -133,7 +128,9 @@ stop (Network _ w) = cleanUp w
 
 -- | Take what the steps since the last time have left for the outside.
 collect :: Network -> (Report, Network)
-collect (Network running w) = (reportOf w, Network running w {actions = [], heard = []})
+collect network@(Network running w) = case reportOf w of
+  report@(Report [] []) -> (report, network)
+  report -> (report, Network running w {actions = [], heard = []})
 
 -- | What the program remembers, the outermost task's memory first, then what its tasks share: type and value, as Haskell
 -- writes them. The values are not computed yet.
@@ -141,13 +138,8 @@ remembered :: Network -> [(String, String)]
 remembered (Network _ w) = concatMap (kept "Memory") (IntMap.elems (envMemories (env w))) ++ kept "Param" (envParams (env w))
   where
     -- By name: the order of type representations differs between versions of GHC.
-    kept of' memories = sortOn fst [(of' ++ ' ' : showsPrec 11 what "", text) | (what, Kept _ text) <- Map.toAscList memories]
+    kept of' memories = sortOn fst [(of' ++ ' ' : showsPrec 11 (dynTypeRep value) "", text) | Kept value text <- Map.elems memories]
 
 -- | How many user events the program has sent.
 emissionsOf :: Network -> Int
 emissionsOf (Network _ w) = emitted w
-
--- | With the new value of a state.
-refreshed :: Channel -> [Field] -> Env -> Env
-refreshed channel fields e =
-  e {envStates = IntMap.insert (channelNumber channel) fields (envStates e), envArrived = envArrived e .|. channelInterest channel}

@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ScopedTypeVariables #-}
+{-# LANGUAGE UnboxedTuples #-}
 
 -- |
 -- Module      : Rosy.Sense
@@ -26,7 +27,6 @@ where
 
 import Data.Bits ((.&.), (.|.))
 import qualified Data.IntMap.Strict as IntMap
-import Data.Maybe (fromMaybe)
 import Rosy.Channel (Channel (..), Field)
 import Rosy.Core
 import Rosy.Value (Value, shown)
@@ -72,7 +72,9 @@ tick = event (interestIn Tick) ticked
 
 -- | A value that is known already.
 given :: a -> Reading a
-given x = Reading 0 0 (const x)
+given x = Reading 0 0 look
+  where
+    look _ = (# x #)
 
 -- | The messages of a channel whose fields are a value.
 sensedEvent :: Value a => Channel -> ([Field] -> Maybe a) -> Sense a
@@ -85,17 +87,19 @@ sensedEvent channel view = event (channelInterest channel) fromSensed
 sensedState :: Value a => Channel -> ([Field] -> Maybe a) -> Sense a
 sensedState channel view = Sense (telling (FromState channel)) (Level (Reading (channelInterest channel) 0 look))
   where
-    look env = fromMaybe unarrived (IntMap.lookup (channelNumber channel) (envStates env) >>= view)
+    look env = case IntMap.lookup (channelNumber channel) (envStates env) of
+      Just fields | Just x <- view fields -> (# x #)
+      _ -> (# unarrived #)
     -- The loop reads a state only after it has arrived (rule R5), and links let no message in whose fields do not fit.
     unarrived = errorWithoutStackTrace "a state was read before it arrived"
 
 -- | Something that can be read at any time.
-sample :: Value a => Source -> (Env -> a) -> Sense a
+sample :: Value a => Source -> (Env -> (# a #)) -> Sense a
 sample source look = Sense (telling source) (Level (Reading 0 0 look))
 
 -- | A random generator of one's own, new at each reading.
 chance :: Sense StdGen
-chance = Sense (const (InputValue FromGenerator "_" :)) (Level (Reading 0 1 (fst . split . envGen)))
+chance = Sense (const (InputValue FromGenerator "_" :)) (Level (Reading 0 1 (\env -> (# fst (split (envGen env)) #))))
 
 -- | An input that never has a value.
 never :: Sense a
@@ -114,7 +118,7 @@ mapShape f (Triggered t) = Triggered (mapTrigger (mapReading f) t)
 mapShape f (Level reading) = Level (mapReading f reading)
 
 mapReading :: (a -> b) -> Reading a -> Reading b
-mapReading f (Reading need n look) = Reading need n (f . look)
+mapReading f (Reading need n look) = Reading need n (\env -> case look env of (# x #) -> (# f x #))
 
 mapTrigger :: (Reading a -> Reading b) -> Trigger s a -> Trigger s b
 mapTrigger f t = t {ready = fmap f . ready t, passing = fmap (mapArrivals f .) (passing t)}
@@ -158,8 +162,11 @@ withLevel level join t = Triggered (mapTrigger join t) {mayNeed = mayNeed t .|. 
 -- | Read both; the second has generators that the first has not used.
 bothReadings :: Reading a -> Reading b -> Reading (a, b)
 bothReadings (Reading needA n lookA) (Reading needB m lookB)
-  | n == 0 || m == 0 = Reading (needA .|. needB) (n + m) (\env -> (lookA env, lookB env))
-  | otherwise = Reading (needA .|. needB) (n + m) (\env -> (lookA env, lookB (withoutGenerators n env)))
+  | n == 0 || m == 0 = reading id
+  | otherwise = reading (withoutGenerators n)
+  where
+    reading later = Reading (needA .|. needB) (n + m) (\env -> case lookA env of (# x #) -> case lookB (later env) of (# y #) -> (# (x, y) #))
+    {-# INLINE reading #-}
 
 -- | Strict in both states, so that nothing piles up in an input that waits for its partner.
 data Two s t = Two !s !t

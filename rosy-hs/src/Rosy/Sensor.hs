@@ -3,6 +3,7 @@
 {-# LANGUAGE FlexibleInstances #-}
 {-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE TypeApplications #-}
+{-# LANGUAGE UnboxedTuples #-}
 
 -- |
 -- Module      : Rosy.Sensor
@@ -34,9 +35,8 @@ where
 import Data.Dynamic (fromDynamic, toDyn)
 import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
-import Data.Maybe (fromMaybe)
 import Data.Proxy (Proxy (..))
-import Data.Typeable (typeRep)
+import Data.Typeable (typeRep, typeRepFingerprint)
 import GHC.Generics (Generic)
 import Rosy.Core
 import Rosy.Sense
@@ -82,23 +82,28 @@ instance Value Never
 -- ---------------------------------------------------------------------------------------------
 -- Samples
 
-instance Sensor Seconds where sensor = sample FromTime (Seconds . envTime)
+instance Sensor Seconds where sensor = sample FromTime (\env -> (# Seconds (envTime env) #))
 
-instance Sensor Clock where sensor = sample FromTime (\env -> clockAt (envClock env + envTime env))
+instance Sensor Clock where sensor = sample FromTime (\env -> (# clockAt (envClock env + envTime env) #))
 
 -- | A fresh generator each time it is read; two inputs of one function differ.
 instance Sensor StdGen where sensor = chance
 
 instance Default a => Sensor (Memory a) where
-  sensor = sample (FromMemory (typeRep (Proxy @a))) (\env -> Memory (recall (IntMap.findWithDefault Map.empty (envScope env) (envMemories env))))
+  sensor = sample (FromMemory (typeRep (Proxy @a))) look
+    where
+      look env = case IntMap.lookup (envScope env) (envMemories env) of
+        Just memories -> case recall memories of (# x #) -> (# Memory x #)
+        Nothing -> (# Memory defaultValue #)
 
 instance Default a => Sensor (Param a) where
-  sensor = sample (FromParam (typeRep (Proxy @a))) (Param . recall . envParams)
+  sensor = sample (FromParam (typeRep (Proxy @a))) (\env -> case recall (envParams env) of (# x #) -> (# Param x #))
 
-recall :: forall a. Default a => Memories -> a
-recall memories = case Map.lookup (typeRep (Proxy @a)) memories of
-  Just (Kept value _) -> fromMaybe defaultValue (fromDynamic value)
-  Nothing -> defaultValue
+-- | What is remembered of this type. A default may be anything, so it is not computed here.
+recall :: forall a. Default a => Memories -> (# a #)
+recall memories = case Map.lookup (typeRepFingerprint (typeRep (Proxy @a))) memories of
+  Just (Kept value _) | Just x <- fromDynamic value -> (# x #)
+  _ -> (# defaultValue #)
 
 -- ---------------------------------------------------------------------------------------------
 -- Shapes

@@ -82,11 +82,13 @@ against left x y k = case y of
 
 -- | From here on tasks begin and end because of this.
 turn :: Cause -> Step ()
-turn cause = change (\w -> w {turning = cause})
+turn cause = changeTasks (\t -> t {turning = cause})
 
 -- | A scope of its own: a new, empty memory.
 freshScope :: Step ScopeId
-freshScope = Step (\w k -> k (nextScope w) w {nextScope = nextScope w + 1})
+freshScope = do
+  scope <- tasked nextScope
+  scope <$ changeTasks (\t -> t {nextScope = scope + 1})
 
 -- | Says that a function with this mark has fired.
 data Fired = Fired
@@ -114,7 +116,7 @@ tryNow scope (Function name (Sense tell shape) give) = case shape of
   Triggered _ -> pure False
   Level reading -> do
     now <- world env
-    cause <- world turning
+    cause <- tasked turning
     if canRead now reading then True <$ fire cause scope name tell give reading else pure False
 
 startTask :: Int -> Spec end -> (end -> Program r) -> Step (Running r)
@@ -142,8 +144,8 @@ install :: Int -> ScopeId -> Int -> Spec end -> (end -> Program r) -> Step (Runn
 install left scope born spec k = do
   case specStopped spec of
     Nothing -> pure ()
-    Just function -> change (\w -> w {cleanups = IntMap.insert scope function (cleanups w)})
-  change (\w -> w {begun = reverse (specTasks spec) ++ begun w})
+    Just function -> changeTasks (\t -> t {cleanups = IntMap.insert scope function (cleanups t)})
+  changeTasks (\t -> t {begun = reverse (specTasks spec) ++ begun t})
   called <- startCalls (left - 1) scope
   pure (Working scope (map (liven born) (specFunctions spec)) called spec k)
 
@@ -152,8 +154,8 @@ afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
 afterOnce left scope rest = do
   turn (ByTask scope)
   over <- takeEnding
-  called <- world begun
-  change (\w -> w {begun = []})
+  called <- tasked begun
+  changeTasks (\t -> t {begun = []})
   forget scope
   case over of
     Just given | Just _ <- ofDone given -> wrongEnd given "nothing: it is not in a task"
@@ -167,7 +169,7 @@ finish left scope given@(Given _ value) called spec k = case specEnd spec value 
   Just x -> do
     turn (ByTask scope)
     mapM_ stopCalled called
-    change (\w -> w {cleanups = IntMap.delete scope (cleanups w), begun = []})
+    changeTasks (\t -> t {cleanups = IntMap.delete scope (cleanups t), begun = []})
     forget scope
     advance (left - 1) (k x)
 
@@ -189,14 +191,14 @@ stopRunning running = case running of
   Giving scope _ _ -> forget scope
   Working scope _ called _ _ -> do
     mapM_ stopCalled called
-    w <- world id
-    case IntMap.lookup scope (cleanups w) of
+    before <- tasked id
+    case IntMap.lookup scope (cleanups before) of
       Nothing -> pure ()
       Just (Function name inputs give) -> do
-        change (\v -> v {cleanups = IntMap.delete scope (cleanups v)})
+        changeTasks (\t -> t {cleanups = IntMap.delete scope (cleanups t)})
         atOnce scope name inputs give
         -- A task that is being stopped can neither end nor call.
-        change (\v -> v {ending = ending w, begun = begun w})
+        changeTasks (\t -> t {ending = ending before, begun = begun before})
     standStill scope
     forget scope
   Waiting _ _ -> pure ()
@@ -206,9 +208,9 @@ stopRunning running = case running of
 
 -- | Tell the robot to stand if a function of this scope set it in motion last (rule R10).
 standStill :: ScopeId -> Step ()
-standStill scope = change $ \w -> case partition ((== scope) . snd) (moving w) of
+standStill scope = change $ \w -> case partition ((== scope) . snd) (moving (tasks w)) of
   ([], _) -> w
-  (own, others) -> w {actions = [Action c rest | (c, _) <- own, Just rest <- [channelRest c]] ++ actions w, moving = others}
+  (own, others) -> w {actions = [Action c rest | (c, _) <- own, Just rest <- [channelRest c]] ++ actions w, tasks = (tasks w) {moving = others}}
 
 stopCalled :: Called -> Step ()
 stopCalled (Called running _ _ _) = stopRunning running
@@ -216,17 +218,13 @@ stopCalled (Called running _ _ _) = stopRunning running
 -- | Start the tasks that were called since the last look.
 startCalls :: Int -> ScopeId -> Step [Called]
 startCalls left scope = do
-  calls <-
-    Step
-      ( \w k -> case begun w of
-          [] -> k [] w
-          found -> k (reverse found) w {begun = []}
-      )
+  calls <- tasked begun
   case calls of
     [] -> pure []
     _ -> do
-      cause <- world turning
-      concat <$> mapM (\calling -> turn cause >> start calling) calls
+      changeTasks (\t -> t {begun = []})
+      cause <- tasked turning
+      concat <$> mapM (\calling -> turn cause >> start calling) (reverse calls)
   where
     -- What the caller's functions ended with is not for the called, and comes first.
     start (Calling program canceller feedback response) = do
@@ -237,14 +235,14 @@ startCalls left scope = do
       called <- reports outer scope (Called running (fmap (liven born) canceller) feedback response)
       case ended of
         Nothing -> pure called
-        Just _ -> called <$ change (\w -> w {ending = ended})
+        Just _ -> called <$ changeTasks (\t -> t {ending = ended})
 
 -- | Carry out what the caller does with feedback and with the end. Feedback that is not taken here goes further out.
 reports :: [Dynamic] -> ScopeId -> Called -> Step [Called]
 reports outer scope called@(Called running _ feedback response) = do
   own <- takeFed
-  change (\w -> w {fed = outer})
-  cause <- world turning
+  changeTasks (\t -> t {fed = outer})
+  cause <- tasked turning
   mapM_ tell (reverse own)
   case running of
     Returned x -> [] <$ (turn cause >> carry (response x))
@@ -252,5 +250,5 @@ reports outer scope called@(Called running _ feedback response) = do
   where
     tell value = case feedback value of
       Just function -> turn ByFeedback >> carry function
-      Nothing -> change (\w -> w {fed = value : fed w})
+      Nothing -> changeTasks (\t -> t {fed = value : fed t})
     carry (Function name inputs give) = atOnce scope name inputs give

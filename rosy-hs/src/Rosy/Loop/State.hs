@@ -1,5 +1,6 @@
 {-# LANGUAGE BangPatterns #-}
 {-# LANGUAGE ExistentialQuantification #-}
+{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Module      : Rosy.Loop.State
@@ -15,6 +16,8 @@ module Rosy.Loop.State
     -- * The state
     Network (..),
     World (..),
+    Tasks (..),
+    uneventful,
     canRead,
     Given (..),
     Live (..),
@@ -25,9 +28,11 @@ module Rosy.Loop.State
     Called (..),
 
     -- * Steps
-    Step (..),
+    Step (Step, runStep),
     world,
     change,
+    tasked,
+    changeTasks,
     takeEnding,
     takeFed,
   )
@@ -36,6 +41,7 @@ where
 import Data.Dynamic (Dynamic)
 import Data.IntMap.Strict (IntMap)
 import Data.Sequence (Seq)
+import GHC.Exts (oneShot)
 import Rosy.Channel (Channel (..))
 import Rosy.Core
 
@@ -45,7 +51,7 @@ import Rosy.Core
 -- | One step, firing by firing.
 data Turn
   = -- | A function is about to fire. Once its effects are computed, this is what follows.
-    Fires Firing Turn
+    Fires !Firing Turn
   | -- | The definition of this name says what comes next; it is at work until a function fires. What follows when it throws: the
     -- clean-up of the tasks that are live, and 'Ended'. The second is what follows else.
     Enters !FunctionName Turn Turn
@@ -107,16 +113,21 @@ data Report = Report
 -- | All that is running.
 data Network = forall r. Network !(Running r) !World
 
--- | The state that all parts share.
+-- | The state that all parts share. What most firings change is in here, so that a change copies little; the rest is a part of its own.
 data World = World
   { env :: !Env,
-    -- | Emitted and not yet delivered, newest first.
-    queue :: ![Event],
-    emitted :: !Int,
     -- | Newest first; so are the events heard.
     actions :: ![Action],
     heard :: ![String],
-    -- | The value of the first @Done@ of the functions that are firing.
+    -- | Emitted and not yet delivered, newest first.
+    queue :: ![Event],
+    emitted :: !Int,
+    tasks :: !Tasks
+  }
+
+-- | What is shared of the tasks.
+data Tasks = Tasks
+  { -- | The value of the first @Done@ of the functions that are firing.
     ending :: !(Maybe Given),
     -- | Feedback on its way out, newest first.
     fed :: ![Dynamic],
@@ -141,9 +152,9 @@ data Live
   = -- | Nothing to keep: reads states and samples.
     forall n. Steady !FunctionName !Interest (Telling n) !(Reading n) !(n -> Effects)
   | -- | Takes every value as it comes.
-    forall n. Passing !FunctionName !Interests !Int (Telling n) !(Occurrence -> Arrivals n) !(Seq (Reading n)) !(n -> Effects)
+    forall n. Passing !FunctionName {-# UNPACK #-} !Interests !Int (Telling n) !(Occurrence -> Arrivals n) !(Seq (Reading n)) !(n -> Effects)
   | -- | Keeps values until their partners come.
-    forall n s. Keeping !FunctionName !Interests !Int (Telling n) !(Trigger s n) !s !(Seq (Reading n)) !(n -> Effects)
+    forall n s. Keeping !FunctionName {-# UNPACK #-} !Interests !Int (Telling n) !(Trigger s n) !s !(Seq (Reading n)) !(n -> Effects)
 
 -- | What a function that follows events is offered: the occurrences that bring it values, and with them the states that a value may wait for.
 data Interests = Interests {bringing :: !Interest, offered :: !Interest}
@@ -189,7 +200,17 @@ data Called = forall end. Called !(Running end) !(Maybe Live) (Dynamic -> Maybe 
 -- The monad: state, firings, and ending at once
 
 -- | A change of the state with firings in it; it may end the program at once.
-newtype Step a = Step {runStep :: World -> (a -> World -> Turn) -> Turn}
+newtype Step a = Steps {runStep :: World -> (a -> World -> Turn) -> Turn}
+
+-- | A step that is made and run once: this is what lets GHC compile a function that gives a step as one of the state as well, without
+-- a closure for each step between.
+pattern Step :: (World -> (a -> World -> Turn) -> Turn) -> Step a
+pattern Step run <-
+  Steps run
+  where
+    Step run = Steps (oneShot (\w -> oneShot (\k -> run w k)))
+
+{-# COMPLETE Step #-}
 
 instance Functor Step where
   fmap f (Step m) = Step (\w k -> m w (k . f))
@@ -215,18 +236,31 @@ change :: (World -> World) -> Step ()
 change f = Step (\w k -> let !w' = f w in k () w')
 {-# INLINE change #-}
 
+-- | Look at the state of the tasks.
+tasked :: (Tasks -> a) -> Step a
+tasked f = world (f . tasks)
+{-# INLINE tasked #-}
+
+-- | Change the state of the tasks.
+changeTasks :: (Tasks -> Tasks) -> Step ()
+changeTasks f = change (\w -> w {tasks = f (tasks w)})
+{-# INLINE changeTasks #-}
+
+-- | Nothing ended or was called: by far the most firings.
+uneventful :: World -> Bool
+uneventful w = case tasks w of
+  Tasks {ending = Nothing, begun = []} -> True
+  _ -> False
+
 -- | Read and reset the ending of the functions that fired.
 takeEnding :: Step (Maybe Given)
-takeEnding = Step $ \w k -> case ending w of
+takeEnding = Step $ \w k -> case ending (tasks w) of
   Nothing -> k Nothing w
-  found -> k found w {ending = Nothing}
+  found -> k found w {tasks = (tasks w) {ending = Nothing}}
 {-# INLINE takeEnding #-}
 
 -- | Read and reset the feedback that is on its way out.
 takeFed :: Step [Dynamic]
-takeFed =
-  Step
-    ( \w k -> case fed w of
-        [] -> k [] w
-        found -> k found w {fed = []}
-    )
+takeFed = Step $ \w k -> case fed (tasks w) of
+  [] -> k [] w
+  found -> k found w {tasks = (tasks w) {fed = []}}

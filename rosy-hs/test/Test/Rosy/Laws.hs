@@ -89,9 +89,9 @@ busy :: (Velocity -> Memory Int -> (Memory Int, Maybe Say), Bumper -> StdGen -> 
 busy = (\(Velocity _ _) (Memory n) -> (Memory (n + 1), if n `mod` 10 == 0 then Just (Say (show n)) else Nothing), \(Bumper _ _) g -> Memory (fst (randomR (0, 9) g)), \_ (Seconds s) (Memory (_, n)) -> (Memory (s, n + 1), Led1 Green))
 
 -- | Still more at once: memory that is never read, a partner that never comes, events of the program's own, tasks without end,
--- beside each other, on call and cancelled.
+-- beside each other, on call and cancelled, that all drive without ever standing still.
 busier :: Task ()
-busier = void (parallel (task () (busy, unread, alone, calling) :: Task ()) (forever (race (walk 3) (wait 0.5))))
+busier = void (parallel (task () (busy, unread, alone, calling, driving) :: Task ()) (forever (race (walk 3) (wait 0.5))))
   where
     unread :: Velocity -> Memory Integer -> (Memory Integer, Param [Int])
     unread (Velocity v _) (Memory n) = (Memory (n + 1), Param (replicate 5 (round v)))
@@ -101,7 +101,9 @@ busier = void (parallel (task () (busy, unread, alone, calling) :: Task ()) (for
     calling _ = call (walk 2 >> task () (Feedback 'x', \(Button _ _) -> Done ())) callOptions {onFeedback = \c -> Memory (c :: Char), cancelOn = \(Bumper _ _) -> Just Cancel}
     walk :: Int -> Task Int
     walk 0 = pure 0
-    walk n = wait 0.04 >> task () (\(Velocity _ _) (Memory k) -> (Memory (k + 1), if k > (1 :: Int) then Just (Done ()) else Nothing)) >> walk (n - 1)
+    walk n = wait 0.04 >> task () (driving, \(Velocity _ _) (Memory k) -> (Memory (k + 1), if k > (1 :: Int) then Just (Done ()) else Nothing)) >> walk (n - 1)
+    driving :: Velocity -> Velocity
+    driving (Velocity v w) = Velocity (v + 1) w
 
 -- | Bytes that are live after each of so many stretches of so many instants, forgetting all reports.
 liveSizes :: Int -> Int -> IO [Word64]
