@@ -212,6 +212,8 @@ pattern Step run <-
 
 {-# COMPLETE Step #-}
 
+{- HLINT ignore Step "Avoid lambda" -}
+
 instance Functor Step where
   fmap f (Step m) = Step (\w k -> m w (k . f))
   {-# INLINE fmap #-}
