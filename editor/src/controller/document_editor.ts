@@ -4,6 +4,7 @@
 import type {Inference, SavedWorkspace} from "@rosy/codegen"
 import {sameBlocks} from "../blocks/index.ts"
 import {mergeWorkspaces} from "../blocks/workspace/workspace_merge.ts"
+import {isPending} from "../preview/preview.ts"
 import {awaitsProgram} from "../state/page_state.ts"
 import {innermostBlock} from "../state/program.ts"
 import type {Store} from "../state/store.ts"
@@ -31,9 +32,15 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
   /// The blocks as the block view has them.
   let shown: SavedWorkspace | null = null
   // Behind the frame that shows the key: the next one is not waited for.
-  const typing = openEditDebounce(() => {
-    flush()
-    store.drawNow()
+  const typing = openEditDebounce(
+    () => {
+      flush()
+      store.drawNow()
+    },
+    () => isPending(store.now.room.preview),
+  )
+  store.onFrame(({room}) => {
+    if (!isPending(room.preview)) typing.pathShown()
   })
 
   const showText = (changes?: ChangeSet) => parts.source?.setProgram(store.now.document.program, changes)

@@ -1,5 +1,5 @@
 /// Debounce of text edits: the blocks are updated after the frame that shows the key press, never before it. If an update takes noticeably long, it waits for a pause between
-/// key presses.
+/// key presses. Where the path of the edited program is on its way, the blocks come after it: updating and drawing them takes the processor for as long as computing the path.
 
 import type {ChangeSet} from "../state/text_changes.ts"
 
@@ -8,6 +8,13 @@ import type {ChangeSet} from "../state/text_changes.ts"
 const quick = 50
 const longestPause = 400
 const furthestBehind = 2000
+
+/// How long the blocks wait for the path: after the last key press, and while keys follow one another; in milliseconds.
+const pathPause = 150
+const furthestBehindPath = 300
+
+/// How long it takes until a frame is on the screen, in milliseconds: at 60 Hz.
+const twoPictures = 34
 
 /// Edits of the text that the document does not have yet.
 export interface PendingEdit {
@@ -27,31 +34,39 @@ export interface EditDebounce {
   take(): PendingEdit | null
   /// Drops the pending edit: another program is open.
   forget(): void
+  /// The path of the edited program is in this frame, or is not to come.
+  pathShown(): void
   /// Following the last text has cost so many milliseconds more.
   cost(more: number): void
 }
 
-export function openEditDebounce(follow: () => void): EditDebounce {
+/// `isPathPending` says whether the path of the edited program is on its way.
+export function openEditDebounce(follow: () => void, isPathPending: () => boolean): EditDebounce {
   let pending: PendingEdit | null = null
   /// When the first of it was typed, and what following cost the last time, in milliseconds.
   let since = 0
   let cost = 0
   let gap: ReturnType<typeof setTimeout> | undefined
   let picture = 0
+  let awaitsPath = false
 
   const hold = () => {
     clearTimeout(gap)
     cancelAnimationFrame(picture)
+    awaitsPath = false
+  }
+  /// The pause that the last cost asks for.
+  const pause = () => (cost < quick ? 0 : Math.min(longestPause, cost))
+  const afterPicture = () => {
+    awaitsPath = isPathPending()
+    const untilPath = awaitsPath ? Math.min(pathPause, since + furthestBehindPath - performance.now()) : 0
+    gap = setTimeout(follow, Math.max(untilPath, pause()))
   }
   const soon = () => {
     hold()
     if (performance.now() - since > furthestBehind) return follow()
-    const pause = cost < quick ? 0 : Math.min(longestPause, cost)
-    if (document.visibilityState === "hidden") gap = setTimeout(follow, pause)
-    else
-      picture = requestAnimationFrame(() => {
-        gap = setTimeout(follow, pause)
-      })
+    if (document.visibilityState === "hidden") gap = setTimeout(follow, pause())
+    else picture = requestAnimationFrame(afterPicture)
   }
   return {
     waits: () => pending !== null,
@@ -74,6 +89,11 @@ export function openEditDebounce(follow: () => void): EditDebounce {
     forget() {
       hold()
       pending = null
+    },
+    pathShown() {
+      if (!awaitsPath) return
+      hold()
+      gap = setTimeout(follow, Math.max(twoPictures, pause()))
     },
     cost(more) {
       cost += more
