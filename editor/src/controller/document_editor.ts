@@ -40,7 +40,7 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
     () => isPending(store.now.room.preview),
   )
   store.onFrame(({room}) => {
-    if (!isPending(room.preview)) typing.pathShown()
+    if (!isPending(room.preview)) typing.pathSettled()
   })
 
   const showText = (changes?: ChangeSet) => parts.source?.setProgram(store.now.document.program, changes)

@@ -13,8 +13,8 @@ const furthestBehind = 2000
 const pathPause = 150
 const furthestBehindPath = 300
 
-/// How long it takes until a frame is on the screen, in milliseconds: at 60 Hz.
-const twoPictures = 34
+/// Time until a frame is presented, in milliseconds: two frames at 60 Hz.
+const presentationDelay = 34
 
 /// Edits of the text that the document does not have yet.
 export interface PendingEdit {
@@ -34,8 +34,8 @@ export interface EditDebounce {
   take(): PendingEdit | null
   /// Drops the pending edit: another program is open.
   forget(): void
-  /// The path of the edited program is in this frame, or is not to come.
-  pathShown(): void
+  /// The path is drawn in this frame, or no path is expected.
+  pathSettled(): void
   /// Following the last text has cost so many milliseconds more.
   cost(more: number): void
 }
@@ -90,10 +90,10 @@ export function openEditDebounce(follow: () => void, isPathPending: () => boolea
       hold()
       pending = null
     },
-    pathShown() {
+    pathSettled() {
       if (!awaitsPath) return
       hold()
-      gap = setTimeout(follow, Math.max(twoPictures, pause()))
+      gap = setTimeout(follow, Math.max(presentationDelay, pause()))
     },
     cost(more) {
       cost += more

@@ -32,7 +32,7 @@ function page(pending: boolean) {
   const key = () => debounce.typed("x", ChangeSet.empty(1), true)
   const arrives = () => {
     path.isPending = false
-    debounce.pathShown()
+    debounce.pathSettled()
   }
   return {debounce, followed, key, arrives}
 }

@@ -251,7 +251,7 @@ data Reading a = Reading
     needs :: Interest,
     -- | How many random generators it uses up.
     generators :: Int,
-    -- | The value, in a box that costs nothing: that it is there is known at once, and it may itself be a promise.
+    -- | Reads the value. The unboxed tuple returns it without evaluating it and without a thunk for the read itself.
     readNow :: Env -> (# a #)
   }
 

@@ -91,21 +91,21 @@ instant :: Double -> What -> Network -> Turn
 instant time what (Network running w) = case what of
   Hear message@(Message channel fields) -> case channelKind channel of
     EventChannel -> at (Sensed message) (env w) {envTime = time} (tellMessage message : heard w)
-    _ -> at (Sensed message) (refreshed time channel fields (env w)) (heard w)
+    _ -> at (Sensed message) (setState time channel fields (env w)) (heard w)
   TickNow -> at Tick (env w) {envTime = time} (heard w)
   where
     at !occurrence !now told =
-      let !w' = w {env = now, heard = told, tasks = unfed (tasks w)}
+      let !w' = w {env = now, heard = told, tasks = dropFeedback (tasks w)}
        in runStep (deliver occurrence running) w' (rounds roundLimit)
 
--- | With the new value of a state.
-refreshed :: Double -> Channel -> [Field] -> Env -> Env
-refreshed time channel fields e =
+-- | Stores a state message and the time at which it arrived.
+setState :: Double -> Channel -> [Field] -> Env -> Env
+setState time channel fields e =
   e {envTime = time, envStates = IntMap.insert (channelNumber channel) fields (envStates e), envArrived = envArrived e .|. channelInterest channel}
 
--- | Feedback that nobody took in the instant before is gone.
-unfed :: Tasks -> Tasks
-unfed t = if null (fed t) then t else t {fed = []}
+-- | Drops feedback that was not handled in the previous instant.
+dropFeedback :: Tasks -> Tasks
+dropFeedback t = if null (fed t) then t else t {fed = []}
 
 -- | Deliver what was emitted, round by round, and what that emits.
 rounds :: Int -> Running r -> World -> Turn

@@ -92,14 +92,12 @@ instance Sensor StdGen where sensor = chance
 instance Default a => Sensor (Memory a) where
   sensor = sample (FromMemory (typeRep (Proxy @a))) look
     where
-      look env = case IntMap.lookup (envScope env) (envMemories env) of
-        Just memories -> case recall memories of (# x #) -> (# Memory x #)
-        Nothing -> (# Memory defaultValue #)
+      look env = case recall (IntMap.findWithDefault Map.empty (envScope env) (envMemories env)) of (# x #) -> (# Memory x #)
 
 instance Default a => Sensor (Param a) where
   sensor = sample (FromParam (typeRep (Proxy @a))) (\env -> case recall (envParams env) of (# x #) -> (# Param x #))
 
--- | What is remembered of this type. A default may be anything, so it is not computed here.
+-- | The remembered value of this type. The default is not evaluated, because a program may define one that fails.
 recall :: forall a. Default a => Memories -> (# a #)
 recall memories = case Map.lookup (typeRepFingerprint (typeRep (Proxy @a))) memories of
   Just (Kept value _) | Just x <- fromDynamic value -> (# x #)

@@ -87,7 +87,7 @@ turn cause = changeTasks (\t -> t {turning = cause})
 -- | A scope of its own: a new, empty memory.
 freshScope :: Step ScopeId
 freshScope = do
-  scope <- tasked nextScope
+  scope <- getTasks nextScope
   scope <$ changeTasks (\t -> t {nextScope = scope + 1})
 
 -- | Says that a function with this mark has fired.
@@ -116,7 +116,7 @@ tryNow scope (Function name (Sense tell shape) give) = case shape of
   Triggered _ -> pure False
   Level reading -> do
     now <- world env
-    cause <- tasked turning
+    cause <- getTasks turning
     if canRead now reading then True <$ fire cause scope name tell give reading else pure False
 
 startTask :: Int -> Spec end -> (end -> Program r) -> Step (Running r)
@@ -154,7 +154,7 @@ afterOnce :: Int -> ScopeId -> Program r -> Step (Running r)
 afterOnce left scope rest = do
   turn (ByTask scope)
   over <- takeEnding
-  called <- tasked begun
+  called <- getTasks begun
   changeTasks (\t -> t {begun = []})
   forget scope
   case over of
@@ -191,7 +191,7 @@ stopRunning running = case running of
   Giving scope _ _ -> forget scope
   Working scope _ called _ _ -> do
     mapM_ stopCalled called
-    before <- tasked id
+    before <- getTasks id
     case IntMap.lookup scope (cleanups before) of
       Nothing -> pure ()
       Just (Function name inputs give) -> do
@@ -218,12 +218,12 @@ stopCalled (Called running _ _ _) = stopRunning running
 -- | Start the tasks that were called since the last look.
 startCalls :: Int -> ScopeId -> Step [Called]
 startCalls left scope = do
-  calls <- tasked begun
+  calls <- getTasks begun
   case calls of
     [] -> pure []
     _ -> do
       changeTasks (\t -> t {begun = []})
-      cause <- tasked turning
+      cause <- getTasks turning
       concat <$> mapM (\calling -> turn cause >> start calling) (reverse calls)
   where
     -- What the caller's functions ended with is not for the called, and comes first.
@@ -242,7 +242,7 @@ reports :: [Dynamic] -> ScopeId -> Called -> Step [Called]
 reports outer scope called@(Called running _ feedback response) = do
   own <- takeFed
   changeTasks (\t -> t {fed = outer})
-  cause <- tasked turning
+  cause <- getTasks turning
   mapM_ tell (reverse own)
   case running of
     Returned x -> [] <$ (turn cause >> carry (response x))

@@ -21,13 +21,13 @@ deliver occurrence running = case running of
   Starting scope live spec k -> do
     born <- world emitted
     live' <- offerIf scope occurrence live
-    over <- tasked ending
+    over <- getTasks ending
     case over of
       Nothing -> pure (Starting scope live' spec k)
       Just _ -> afterStart stepLimit scope born spec k
   Giving scope live rest -> do
     live' <- offerIf scope occurrence live
-    over <- tasked ending
+    over <- getTasks ending
     case over of
       Nothing -> pure (Giving scope live' rest)
       Just _ -> afterOnce stepLimit scope rest
@@ -63,9 +63,9 @@ rounding = 1e-6
 -- first 'Done' ends it.
 data Delivery r = forall end.
   Delivery
-  { occurring :: !Occurrence,
-    kindOf :: !Interest,
-    inScope :: {-# NOUNPACK #-} !ScopeId,
+  { occurrenceOf :: !Occurrence,
+    interestOf :: !Interest,
+    scopeOf :: {-# NOUNPACK #-} !ScopeId,
     -- | The task as it was before: as it runs, its functions, what it has called.
     _before :: Running r,
     _functions :: ![Live],
@@ -76,41 +76,41 @@ data Delivery r = forall end.
     _next :: Running r -> World -> Turn
   }
 
--- | The functions to come. As long as all are as they were and give neither ends nor calls, which is nearly always, nothing is made anew.
+-- | Offers the occurrence to the remaining functions. The task is not rebuilt while its functions are unchanged and give neither @Done@ nor calls.
 work :: Delivery r -> [Live] -> World -> Turn
-work delivery live w0 = case thoseListening (kindOf delivery) (occurring delivery) live of
+work delivery live w0 = case dropUninterested (interestOf delivery) (occurrenceOf delivery) live of
   l : rest ->
-    let asWas w
+    let unchanged w
           | uneventful w = work delivery rest w
-          | otherwise = workAnew delivery rest l w
-     in offerThen (inScope delivery) (occurring delivery) l w0 asWas (workAnew delivery rest)
-  [] -> workedAll delivery w0
+          | otherwise = workChanged delivery rest l w
+     in offerThen (scopeOf delivery) (occurrenceOf delivery) l w0 unchanged (workChanged delivery rest)
+  [] -> finishUnchanged delivery w0
 
--- | All functions are as they were.
-workedAll :: Delivery r -> World -> Turn
-workedAll (Delivery occurrence _ scope running live called spec k next) w
+-- | After the last function, when the task is unchanged.
+finishUnchanged :: Delivery r -> World -> Turn
+finishUnchanged (Delivery occurrence _ scope running live called spec k next) w
   | null called = next running w
   | otherwise = runStep (workCalls occurrence scope spec k called [] live []) w next
-{-# NOINLINE workedAll #-}
+{-# NOINLINE finishUnchanged #-}
 
--- | Not so any more: before these is a function that is another now, or one that ended or called something.
-workAnew :: Delivery r -> [Live] -> Live -> World -> Turn
-workAnew (Delivery occurrence _ scope _ live called spec k next) rest l w = runStep (workOn occurrence scope called spec k (l : seen) rest) w next
+-- | Continues on the slow path after a function that has changed, or that gave a @Done@ or a call.
+workChanged :: Delivery r -> [Live] -> Live -> World -> Turn
+workChanged (Delivery occurrence _ scope _ live called spec k next) rest l w = runStep (workRebuilding occurrence scope called spec k (l : seen) rest) w next
   where
     seen = reverse (take (length live - length rest - 1) live)
-{-# NOINLINE workAnew #-}
+{-# NOINLINE workChanged #-}
 
--- | From the first one on that listens.
-thoseListening :: Interest -> Occurrence -> [Live] -> [Live]
-thoseListening !kind !occurrence = go
+-- | Drops functions up to the first one that listens.
+dropUninterested :: Interest -> Occurrence -> [Live] -> [Live]
+dropUninterested !kind !occurrence = go
   where
     go live = case live of
       l : rest | not (listens kind occurrence l) -> go rest
       _ -> live
 
--- | The same after a function that is not as it was, or that ended or called something: those that had their turn, newest first, and those to come.
-workOn :: Occurrence -> ScopeId -> [Called] -> Spec end -> (end -> Program r) -> [Live] -> [Live] -> Step (Running r)
-workOn occurrence scope called0 spec k = gave []
+-- | The slow path: the functions that have had their turn, newest first, and the remaining ones. It rebuilds the task.
+workRebuilding :: Occurrence -> ScopeId -> [Called] -> Spec end -> (end -> Program r) -> [Live] -> [Live] -> Step (Running r)
+workRebuilding occurrence scope called0 spec k = gave []
   where
     -- The calls that were begun in this turn come first.
     gave fresh seen ls = do
@@ -126,7 +126,7 @@ workOn occurrence scope called0 spec k = gave []
     next fresh seen (l : ls) = do
       l' <- offerIf scope occurrence l
       gave fresh (l' : seen) ls
-{-# NOINLINE workOn #-}
+{-# NOINLINE workRebuilding #-}
 
 -- | The tasks that were called before, those that had their turn, newest first, the functions of the caller, and the calls begun in this turn.
 workCalls :: Occurrence -> ScopeId -> Spec end -> (end -> Program r) -> [Called] -> [Called] -> [Live] -> [Called] -> Step (Running r)
@@ -145,7 +145,7 @@ workCalls occurrence scope spec k = next
 -- | Start what the latest firing of the scope has called.
 givenCalls :: ScopeId -> Step [Called]
 givenCalls scope = do
-  none <- tasked (null . begun)
+  none <- getTasks (null . begun)
   if none then pure [] else turn (ByTask scope) >> startCalls stepLimit scope
 
 -- | A called task sees what happened: first whether it is to be cancelled, then its own functions, then its reports.

@@ -38,12 +38,12 @@ fire cause scope name tell give reading = Step (\w k -> fireThen cause scope nam
 fireThen :: Cause -> ScopeId -> FunctionName -> Telling n -> (n -> Effects) -> Reading n -> World -> (World -> Turn) -> Turn
 fireThen cause scope name tell give (Reading _ used' look) w0 next
   | used' == 0 = Fires firing (carryOut scope name effects w next)
-  | otherwise = Fires firing (carryOut scope name effects (w `without` used') next)
+  | otherwise = Fires firing (carryOut scope name effects (dropGenerators used' w) next)
   where
-    !w = if envScope (env w0) == scope then w0 else w0 `inside` scope
+    !w = if envScope (env w0) == scope then w0 else setScope scope w0
     here = env w
     effects = case look here of (# inputs #) -> give inputs
-    -- The inputs are read again when somebody asks for them: that costs less than to keep them for each firing.
+    -- Inputs are recomputed when provenance or an error message needs them; storing them would allocate in every firing.
     !firing = Firing name scope cause (case look here of (# inputs #) -> tell inputs []) effects (cleanUp w)
 
 -- | Do what a firing says, in order.
@@ -53,68 +53,69 @@ carryOut scope name effects w next = case effects of
   Then effect rest -> let !w' = w `after` effect in carryOut scope name rest w' next
   where
     after v (Act action@(Action c fields)) = case channelRest c of
-      Just atRest | let moves = fields /= atRest, not (moves && isInForce c scope (moving (tasks v))) -> moved moves c scope v {actions = action : actions v}
+      Just atRest | let moves = fields /= atRest, not (moves && isLatestMover c scope (moving (tasks v))) -> updateMoving moves c scope v {actions = action : actions v}
       _ -> v {actions = action : actions v}
     after v (Emit value text) = v {queue = Event (emitted v) value text : queue v, emitted = emitted v + 1, heard = text : heard v}
-    after v (Remember key value) = v {env = remembering scope key value (env v)}
-    after v (Share key value) = v {env = sharing key value (env v)}
-    after v (End value _) = v {tasks = endedWith (Given name value) (tasks v)}
-    after v (Feed value _) = v {tasks = feeding value (tasks v)}
-    after v (StartCall calling) = v {tasks = calledWith calling (tasks v)}
+    after v (Remember key value) = v {env = setMemory scope key value (env v)}
+    after v (Share key value) = v {env = setParam key value (env v)}
+    after v (End value _) = v {tasks = setEnding (Given name value) (tasks v)}
+    after v (Feed value _) = v {tasks = addFeedback value (tasks v)}
+    after v (StartCall calling) = v {tasks = addCall calling (tasks v)}
 
--- What follows is not for every firing. It stands by itself, and is not inlined, so that a firing reads only what it needs of the state.
+-- Updates that few firings make. They are not inlined: GHC 9.0 loads a record's fields for all branches of a function, also for those not taken.
 
--- | From here on it is this scope's memory that is read.
-inside :: World -> ScopeId -> World
-inside w scope = w {env = (env w) {envScope = scope}}
-{-# NOINLINE inside #-}
+-- | Selects the scope whose memory is read.
+setScope :: ScopeId -> World -> World
+setScope scope w = w {env = (env w) {envScope = scope}}
+{-# NOINLINE setScope #-}
 
-without :: World -> Int -> World
-without w n = w {env = withoutGenerators n (env w)}
-{-# NOINLINE without #-}
+-- | Advances the random generator past so many that were used.
+dropGenerators :: Int -> World -> World
+dropGenerators n w = w {env = withoutGenerators n (env w)}
+{-# NOINLINE dropGenerators #-}
 
-remembering :: ScopeId -> TypeRep -> Kept -> Env -> Env
-remembering scope what value e = e {envMemories = IntMap.insert scope (maybe (Map.singleton key value) (Map.insert key value) (IntMap.lookup scope memories)) memories}
+setMemory :: ScopeId -> TypeRep -> Kept -> Env -> Env
+setMemory scope what value e = e {envMemories = IntMap.insert scope (maybe (Map.singleton key value) (Map.insert key value) (IntMap.lookup scope memories)) memories}
   where
     memories = envMemories e
     key = typeRepFingerprint what
-{-# NOINLINE remembering #-}
+{-# NOINLINE setMemory #-}
 
-sharing :: TypeRep -> Kept -> Env -> Env
-sharing what value e = e {envParams = Map.insert (typeRepFingerprint what) value (envParams e)}
-{-# NOINLINE sharing #-}
+setParam :: TypeRep -> Kept -> Env -> Env
+setParam what value e = e {envParams = Map.insert (typeRepFingerprint what) value (envParams e)}
+{-# NOINLINE setParam #-}
 
--- | The first one counts.
-endedWith :: Given -> Tasks -> Tasks
-endedWith given t = case ending t of
+-- | Stores the value of the first @Done@; later ones are ignored (rule R10).
+setEnding :: Given -> Tasks -> Tasks
+setEnding given t = case ending t of
   Nothing -> t {ending = Just given}
   Just _ -> t
-{-# NOINLINE endedWith #-}
+{-# NOINLINE setEnding #-}
 
-feeding :: Dynamic -> Tasks -> Tasks
-feeding value t = t {fed = value : fed t}
-{-# NOINLINE feeding #-}
+addFeedback :: Dynamic -> Tasks -> Tasks
+addFeedback value t = t {fed = value : fed t}
+{-# NOINLINE addFeedback #-}
 
-calledWith :: Calling -> Tasks -> Tasks
-calledWith calling t = t {begun = calling : begun t}
-{-# NOINLINE calledWith #-}
+addCall :: Calling -> Tasks -> Tasks
+addCall calling t = t {begun = calling : begun t}
+{-# NOINLINE addCall #-}
 
 -- | Whether the scope sent the latest command that set something in motion, on this channel.
-isInForce :: Channel -> ScopeId -> [(Channel, ScopeId)] -> Bool
-isInForce c scope before = case before of
+isLatestMover :: Channel -> ScopeId -> [(Channel, ScopeId)] -> Bool
+isLatestMover c scope before = case before of
   (newest, by) : _ -> newest == c && by == scope
   [] -> False
 
--- | After a command of the scope on this channel, that leaves the robot in motion or not. The list is computed here: a promise of one
--- would keep every state of the loop since the last command that was at rest.
-moved :: Bool -> Channel -> ScopeId -> World -> World
-moved isMoving c scope w = let !rest = others (moving (tasks w)) in w {tasks = (tasks w) {moving = if isMoving then (c, scope) : rest else rest}}
+-- | After a command of the scope on this channel, that leaves the robot in motion or not. The list is evaluated here: a thunk
+-- of it would retain every earlier state of the loop.
+updateMoving :: Bool -> Channel -> ScopeId -> World -> World
+updateMoving isMoving c scope w = let !rest = others (moving (tasks w)) in w {tasks = (tasks w) {moving = if isMoving then (c, scope) : rest else rest}}
   where
     others [] = []
     others (entry : more)
       | fst entry == c = more
       | otherwise = let !more' = others more in entry : more'
-{-# NOINLINE moved #-}
+{-# NOINLINE updateMoving #-}
 
 -- | End the program at once.
 abandon :: Outcome -> World -> Turn
@@ -134,7 +135,7 @@ atOnce scope name (Sense tell shape) give = case shape of
   Triggered _ -> pure ()
   Level reading -> do
     now <- world env
-    cause <- tasked turning
+    cause <- getTasks turning
     if canRead now reading then fire cause scope name tell give reading else pure ()
 
 -- | What the steps since the last look have left for the outside.
@@ -158,38 +159,38 @@ liven born (Function name (Sense tell shape) give) = case shape of
 -- | Let a function that listens see what happened, and fire as often as it has unused values. Stops at a 'Done'. What follows
 -- when the function is as it was, and when it is another.
 offerThen :: ScopeId -> Occurrence -> Live -> World -> (World -> Turn) -> (Live -> World -> Turn) -> Turn
-offerThen scope !occurrence live w0 asWas changed = case live of
+offerThen scope !occurrence live w0 unchanged changed = case live of
   Steady name _ tell reading give
-    | canRead (env w0) reading -> fireThen (ByOccurrence occurrence) scope name tell give reading w0 asWas
-    | otherwise -> asWas w0
+    | canRead (env w0) reading -> fireThen (ByOccurrence occurrence) scope name tell give reading w0 unchanged
+    | otherwise -> unchanged w0
   Passing name kinds born tell arrivals waiting0 give -> case arrivals occurrence of
-    NoMore | null waiting0 -> asWas w0
+    NoMore | null waiting0 -> unchanged w0
     -- One value, which need not wait, and none that waits: by far the most.
-    Arrival r NoMore | null waiting0, canRead (env w0) r -> fireThen (ByOccurrence occurrence) scope name tell give r w0 asWas
+    Arrival r NoMore | null waiting0, canRead (env w0) r -> fireThen (ByOccurrence occurrence) scope name tell give r w0 unchanged
     arrived ->
-      let fires = fireThen (ByOccurrence occurrence) scope name tell give
-          same waiting w = if null waiting && null waiting0 then asWas w else changed (Passing name kinds born tell arrivals waiting give) w
+      let fireWith = fireThen (ByOccurrence occurrence) scope name tell give
+          finishOffer waiting w = if null waiting && null waiting0 then unchanged w else changed (Passing name kinds born tell arrivals waiting give) w
           -- What waited for a state goes first.
           late waiting Empty w = sift waiting arrived w
           late waiting (r :<| rs) w
-            | canRead (env w) r = fires r w (unlessOver (same waiting) (late waiting rs))
+            | canRead (env w) r = fireWith r w (unlessOver (finishOffer waiting) (late waiting rs))
             | otherwise = late (waiting |> r) rs w
           -- Some of several arrivals may have to wait while others do not.
-          sift waiting NoMore w = same waiting w
+          sift waiting NoMore w = finishOffer waiting w
           sift waiting (Arrival r more) w
-            | canRead (env w) r = fires r w (unlessOver (same waiting) (sift waiting more))
+            | canRead (env w) r = fireWith r w (unlessOver (finishOffer waiting) (sift waiting more))
             | otherwise = sift (waiting |> r) more w
        in late Empty waiting0 w0
   Keeping name kinds born tell trigger state0 waiting0 give -> late Empty waiting0 w0
     where
-      fires = fireThen (ByOccurrence occurrence) scope name tell give
-      same s waiting = changed (Keeping name kinds born tell trigger s waiting give)
+      fireWith = fireThen (ByOccurrence occurrence) scope name tell give
+      finishOffer s waiting = changed (Keeping name kinds born tell trigger s waiting give)
       late waiting Empty w = turn waiting 0 state0 w
       late waiting (r :<| rs) w
-        | canRead (env w) r = fires r w (unlessOver (same state0 waiting) (late waiting rs))
+        | canRead (env w) r = fireWith r w (unlessOver (finishOffer state0 waiting) (late waiting rs))
         | otherwise = late (waiting |> r) rs w
       turn waiting i s w
-        | i == turns trigger = same s waiting w
+        | i == turns trigger = finishOffer s waiting w
         | otherwise =
           let !s' = offer trigger i occurrence s
            in case ready trigger s' of
@@ -197,7 +198,7 @@ offerThen scope !occurrence live w0 asWas changed = case live of
                 Just r ->
                   let !s'' = used trigger s'
                    in if canRead (env w) r
-                        then fires r w (unlessOver (same s'' waiting) (turn waiting (i + 1) s''))
+                        then fireWith r w (unlessOver (finishOffer s'' waiting) (turn waiting (i + 1) s''))
                         else turn (waiting |> r) (i + 1) s'' w
   where
     -- Go on, unless a 'Done' was given: then this is what is left.

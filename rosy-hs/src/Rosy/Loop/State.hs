@@ -31,7 +31,7 @@ module Rosy.Loop.State
     Step (Step, runStep),
     world,
     change,
-    tasked,
+    getTasks,
     changeTasks,
     takeEnding,
     takeFed,
@@ -113,7 +113,7 @@ data Report = Report
 -- | All that is running.
 data Network = forall r. Network !(Running r) !World
 
--- | The state that all parts share. What most firings change is in here, so that a change copies little; the rest is a part of its own.
+-- | The state that all parts share. It has only the fields that most firings change, because each change copies all of them; 'Tasks' has the rest.
 data World = World
   { env :: !Env,
     -- | Newest first; so are the events heard.
@@ -125,7 +125,7 @@ data World = World
     tasks :: !Tasks
   }
 
--- | What is shared of the tasks.
+-- | The part of the shared state that changes when tasks begin, end, call or report.
 data Tasks = Tasks
   { -- | The value of the first @Done@ of the functions that are firing.
     ending :: !(Maybe Given),
@@ -200,15 +200,14 @@ data Called = forall end. Called !(Running end) !(Maybe Live) (Dynamic -> Maybe 
 -- The monad: state, firings, and ending at once
 
 -- | A change of the state with firings in it; it may end the program at once.
-newtype Step a = Steps {runStep :: World -> (a -> World -> Turn) -> Turn}
+newtype Step a = MkStep {runStep :: World -> (a -> World -> Turn) -> Turn}
 
--- | A step that is made and run once: this is what lets GHC compile a function that gives a step as one of the state as well, without
--- a closure for each step between.
+-- | Builds a step with 'oneShot' lambdas, so that GHC eta-expands functions that return steps and allocates no closure for each step.
 pattern Step :: (World -> (a -> World -> Turn) -> Turn) -> Step a
 pattern Step run <-
-  Steps run
+  MkStep run
   where
-    Step run = Steps (oneShot (\w -> oneShot (\k -> run w k)))
+    Step run = MkStep (oneShot (\w -> oneShot (\k -> run w k)))
 
 {-# COMPLETE Step #-}
 
@@ -239,16 +238,16 @@ change f = Step (\w k -> let !w' = f w in k () w')
 {-# INLINE change #-}
 
 -- | Look at the state of the tasks.
-tasked :: (Tasks -> a) -> Step a
-tasked f = world (f . tasks)
-{-# INLINE tasked #-}
+getTasks :: (Tasks -> a) -> Step a
+getTasks f = world (f . tasks)
+{-# INLINE getTasks #-}
 
 -- | Change the state of the tasks.
 changeTasks :: (Tasks -> Tasks) -> Step ()
 changeTasks f = change (\w -> w {tasks = f (tasks w)})
 {-# INLINE changeTasks #-}
 
--- | Nothing ended or was called: by far the most firings.
+-- | Whether no function has given a @Done@ or a call since the last look; true after most firings.
 uneventful :: World -> Bool
 uneventful w = case tasks w of
   Tasks {ending = Nothing, begun = []} -> True
