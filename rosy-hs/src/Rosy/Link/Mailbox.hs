@@ -65,7 +65,8 @@ answerAt = 32768
 word :: Mailbox -> Int -> Ptr Word32
 word = plusPtr
 
--- | Whether the next batch comes here. The simulator says so before it sends the one before.
+-- | Whether the batch after the latest one comes here. The simulator says so before it sends the latest one, and may change it as soon
+-- as that is answered.
 isExpectedIn :: Mailbox -> IO Bool
 isExpectedIn box
   | box == nullPtr = pure False

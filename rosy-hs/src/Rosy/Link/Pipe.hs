@@ -50,6 +50,9 @@ pipeLink descriptor page mailbox = do
   taken <- newIORef []
   -- Whether the latest bytes came in the mailbox.
   inMailbox <- newIORef False
+  -- Whether the next batch is expected in the mailbox, as it was said with the latest one. After the answer it may already be said of
+  -- the batch after that.
+  isExpected <- newIORef False
   let fromLink = writeIORef inMailbox False >> readPiece descriptor
       fromMailbox = takeBatch descriptor mailbox >>= maybe fromLink (\bytes -> bytes <$ writeIORef inMailbox True)
       heard more = do
@@ -70,8 +73,9 @@ pipeLink descriptor page mailbox = do
               pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),
         next = do
-          expected <- isExpectedIn mailbox
-          batch (heard (if expected then fromMailbox else fromLink)) [],
+          expected <- readIORef isExpected
+          found <- batch (heard (if expected then fromMailbox else fromLink)) []
+          found <$ (writeIORef isExpected =<< isExpectedIn mailbox),
         answer = \a -> do
           what <- readIORef telling
           there <- readIORef inMailbox

@@ -20,14 +20,15 @@ import qualified Data.ByteString.Lazy as Lazy
 import Data.List (isInfixOf, nub, sort)
 import Data.Word (Word32)
 import Foreign.Marshal.Alloc (allocaBytes)
+import Foreign.Marshal.Utils (copyBytes)
 import Foreign.Ptr (nullPtr, plusPtr)
-import Foreign.Storable (peek, peekByteOff, poke)
+import Foreign.Storable (peek, peekByteOff, poke, pokeByteOff)
 import Network.Socket
 import Network.Socket.ByteString (recv, sendAll)
 import Rosy
 import Rosy.Core (functionName, nameBytes)
 import Rosy.Launch (onLink)
-import Rosy.Link (Answer (..), atRest, atWork, noAnswer)
+import Rosy.Link (Answer (..), Batch (..), Link (..), noAnswer)
 import Rosy.Link.Mailbox (noMailbox)
 import Rosy.Link.Pipe (pipeLink)
 import Rosy.Problem (Fault)
@@ -51,14 +52,14 @@ tests =
         files <- listDirectory goldens
         sort [dropExtension f | f <- files, takeExtension f == ".jsonl"] @?= sort (map fst programs),
       testCase "a line outside the protocol ends the program with a problem" $ do
-        answer <- held [start, "{\"op\":\"dance\"}"] (simulate (Velocity 0.5 0))
-        assertBool (show answer) ("malformed" `isInfixOf` show (last answer)),
+        told <- held [start, "{\"op\":\"dance\"}"] (simulate (Velocity 0.5 0))
+        assertBool (show told) ("malformed" `isInfixOf` show (last told)),
       testCase "a second simulate is told, not run" $ do
-        answer <- held [start, step0, stop'] (simulate (Say "one") >> simulate (Say "two"))
-        length [() | a <- answer, "two" `isInfixOf` show a] @?= 0,
+        told <- held [start, step0, stop'] (simulate (Say "one") >> simulate (Say "two"))
+        length [() | a <- told, "two" `isInfixOf` show a] @?= 0,
       testCase "a main without simulate ends as done, with the wheels at rest" $ do
-        answer <- held [start] (pure ())
-        map Line' answer @?= map Line' [object ["op" .= publishes, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
+        told <- held [start] (pure ())
+        map Line' told @?= map Line' [object ["op" .= publishes, "topic" .= velocity, "msg" .= object ["linear" .= object ["x" .= zero], "angular" .= object ["z" .= zero]]], object ["op" .= ended, "how" .= done, "fired" .= ([] :: [String])]],
       testCase "the name of the function at work is whole at every moment: the next is written beside the one that is shown" $
         allocaBytes 4096 $ \page -> do
           poke page (0 :: Word32)
@@ -80,6 +81,35 @@ tests =
           atRest link
           atRest' <- peek page
           atRest' @?= 0,
+      testCase "what was said with a batch of where the next one comes holds, also when it changes as soon as that batch is answered" $
+        bracket (socketPair AF_UNIX Stream defaultProtocol) (\(a, b) -> close a >> close b) $ \(ours, theirs) ->
+          allocaBytes 65536 $ \mailbox -> withFdSocket theirs $ \fd -> do
+            link <- pipeLink fd nullPtr mailbox
+            let stepAt :: Int -> ByteString.ByteString
+                stepAt n = Char8.pack ("{\"op\":\"step\",\"step\":" ++ show n ++ ",\"time\":0}\n")
+                -- Places of protocol/README.md, section 2.
+                expect isHere = pokeByteOff mailbox 128 (if isHere then 1 else 0 :: Word32)
+                put bytes = do
+                  ByteString.useAsCStringLen bytes (uncurry (copyBytes (mailbox `plusPtr` 4096)))
+                  pokeByteOff mailbox 0 (fromIntegral (ByteString.length bytes) :: Word32)
+                takes :: Int -> IO ()
+                takes n = next link >>= (@?= Just n) . fmap batchStep
+            forM_ [0, 64, 128] $ \place -> pokeByteOff mailbox place (0 :: Word32)
+            sendAll ours (start <> "\n")
+            _ <- open link []
+            expect True
+            sendAll ours (stepAt 0)
+            takes 0
+            answer link noAnswer
+            put (stepAt 1)
+            takes 1
+            answer link noAnswer
+            expect False
+            put (stepAt 2)
+            sendAll ours (stepAt 3)
+            takes 2
+            answer link noAnswer
+            takes 3,
       testCase "a heading comes out of the quaternion" $
         case readLine (odom "0.5" "0.8660254037844386") of
           Right (SensorLine [OdometryMessage o]) -> do
