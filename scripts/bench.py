@@ -107,8 +107,13 @@ BENCHES = {
         ],
     ),
     "simulator": Benchmark(
-        "firings a second beside reactive-banana, the world alone, with a program in lockstep, and many pages at once",
-        [FIRINGS, Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1"))],
+        "firings a second beside reactive-banana, the world alone, with a program in lockstep, an edit to its path in the service and in the page,"
+        " and many pages at once",
+        [
+            FIRINGS,
+            node("e2e-tests/bench/preview.ts"),
+            Command(simulator("simulator"), small=simulator("simulator", "--pages", "2", "--seconds", "1")),
+        ],
     ),
     "class": Benchmark(
         "a class of thirty pupils whose programs drive, without the teacher's board and with it",

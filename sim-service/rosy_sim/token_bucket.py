@@ -11,7 +11,8 @@ class TokenBucket:
     """``rate`` tokens a second, at most ``most`` at once."""
 
     def __init__(self, rate: float, most: float, now: float) -> None:
-        self._rate = rate
+        # May be changed; it holds from the last call on.
+        self.rate = rate
         self._most = most
         # Tokens at ``_then``; negative after overdraw().
         self._left = most
@@ -29,8 +30,8 @@ class TokenBucket:
         """Take tokens in any case; returns the s to wait until the bucket is no longer negative."""
         self._refill(now)
         self._left -= cost
-        return max(0.0, -self._left / self._rate)
+        return max(0.0, -self._left / self.rate)
 
     def _refill(self, now: float) -> None:
-        self._left = min(self._most, self._left + (now - self._then) * self._rate)
+        self._left = min(self._most, self._left + (now - self._then) * self.rate)
         self._then = now

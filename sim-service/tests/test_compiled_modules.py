@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import subprocess
@@ -71,6 +72,20 @@ def _runs(compiled: str) -> tuple[str, str]:
     assert done.returncode == 0, done.stderr
     file, digest = done.stdout.split()
     return file, digest
+
+
+def _classes(source: Path) -> list[ast.ClassDef]:
+    return [node for node in ast.walk(ast.parse(source.read_text())) if isinstance(node, ast.ClassDef)]
+
+
+def test_no_class_of_another_module_inherits_from_one_that_is_compiled() -> None:
+    # Such a class is refused when it is made, or its first object.
+    package = Path(compiled_modules.__file__).parent
+    compiled = {source_of(name) for name in MODULES}
+    bases = {one.name for source in compiled for one in _classes(source)}
+    others = [source for source in package.rglob("*.py") if source not in compiled]
+    heirs = [one.name for source in others for one in _classes(source) if bases & {ast.unparse(b) for b in one.bases}]
+    assert heirs == []
 
 
 @pytest.mark.skipif(not _is_compiled, reason="the modules are not compiled here")

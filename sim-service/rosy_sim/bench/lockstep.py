@@ -18,6 +18,7 @@ from ..worker.blocking_worker import BlockingWorker
 from ..world.world import World
 from ..worlds.gallery import named_world, usable_arena
 from . import round_trip
+from .programs import BACK_OFF, EACH_STEP, MOVE, PATROL
 
 __all__ = ["report"]
 
@@ -34,33 +35,11 @@ class _Row(NamedTuple):
     goal: int
 
 
-_BACK_OFF = """backOff :: Bumper -> Velocity
-backOff (Bumper _ Pressed) = Velocity (-0.1) 0.4
-backOff _ = Velocity 0.2 0.1
-
-main = simulate (backOff, start)
-
-start :: RobotStatus -> Velocity
-start _ = Velocity 0.2 0.1
-"""
-
-_PATROL = """patrol :: Task ()
-patrol = forever (do { once (Velocity 0.3 0); wait 2; once (Velocity 0 0.8); wait 2 })
-
-main = simulate patrol
-"""
-
 _ROWS = [
-    _Row("a task with pauses", _PATROL, "room", 1000),
-    _Row("events, backOff", _BACK_OFF, "room", 1000),
-    _Row("default rate, move", "move :: Velocity\nmove = Velocity 0.1 0.1\n\nmain = simulate move\n", "room", 1000),
-    _Row(
-        "50 Hz, accelerate",
-        "accelerate :: Velocity -> Velocity\naccelerate (Velocity v w) = Velocity (v * 0.5 + 0.05) 0.1\n\n"
-        "main = simulate accelerate\n",
-        "room",
-        500,
-    ),
+    _Row("a task with pauses", PATROL, "room", 1000),
+    _Row("events, backOff", BACK_OFF, "room", 1000),
+    _Row("default rate, move", MOVE, "room", 1000),
+    _Row("50 Hz, accelerate", EACH_STEP, "room", 500),
 ]
 
 

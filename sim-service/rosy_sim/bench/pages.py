@@ -35,6 +35,7 @@ from ..web.pacing.paced_frames import paced_frames
 from ..web.service import Service
 from ..world.time_step import STEP
 from .processor_time import exact_time
+from .programs import EACH_STEP
 
 __all__ = ["IN_TIME", "Cost", "Drivers", "Turn", "drive", "report", "take_turns"]
 
@@ -48,12 +49,6 @@ first ones fall behind, and then they catch up."""
 _SHOWN = 12
 """Lines of a profile."""
 
-_PROGRAM = """accelerate :: Velocity -> Velocity
-accelerate (Velocity v w) = Velocity (v + 0.3) 0.4
-
-main = simulate accelerate
-"""
-
 
 @dataclass(frozen=True, slots=True)
 class Drivers:
@@ -61,7 +56,7 @@ class Drivers:
 
     count: int
     seconds: float
-    program: str = _PROGRAM
+    program: str = EACH_STEP
     requests: tuple[Mapping[str, Any], ...] = ()
 
 
@@ -86,14 +81,14 @@ class Cost:
         return self.lateness["steps"]
 
 
-def report(config: Config, count: int, runs: int, seconds: float, profile: bool) -> float:
+def report(config: Config, count: int, runs: int, seconds: float, profile: bool, program: str = EACH_STEP) -> float:
     """
-    Print a row: so many pages, of which so many may drive at once. With ``profile`` also where the service's time
-    went. Answers how late steps began, s (p99).
+    Print a row: so many pages with a program, of which so many may drive at once. With ``profile`` also where the
+    service's time went. Answers how late steps began, s (p99).
     """
     limits = replace(config.limits, runs=runs, sessions=max(count, config.limits.sessions))
     profiler = cProfile.Profile(time.process_time) if profile else None
-    cost = drive(config.with_limits(limits), Drivers(count, seconds), profiler)
+    cost = drive(config.with_limits(limits), Drivers(count, seconds, program), profiler)
     if profiler is not None:
         pstats.Stats(profiler).sort_stats("tottime").print_stats(_SHOWN)
     late, took, steps = cost.lateness, cost.took, cost.steps

@@ -4,7 +4,12 @@ from __future__ import annotations
 
 from collections import deque
 
-__all__ = ["Lateness"]
+from ..world.time_step import STEP
+
+__all__ = ["LATE", "Lateness"]
+
+LATE = STEP / 2
+"""A step that begins later than this counts as late, s."""
 
 
 class Lateness:
@@ -12,13 +17,17 @@ class Lateness:
 
     def __init__(self, size: int = 50_000) -> None:
         self._samples: deque[float] = deque(maxlen=size)
-        # Steps since the last clear().
-        self._steps = 0
+        # Steps of all runs, and those of them that were late.
+        self.steps = self.late = 0
+        # The former at the last clear().
+        self._cleared = 0
 
-    def add(self, late: float) -> None:
+    def add(self, lateness: float) -> None:
         """Record one step."""
-        self._steps += 1
-        self._samples.append(late)
+        self.steps += 1
+        if lateness > LATE:
+            self.late += 1
+        self._samples.append(lateness)
 
     def summary(self) -> dict[str, float]:
         """Count, median, 99th percentile and maximum."""
@@ -27,7 +36,7 @@ class Lateness:
             return {"steps": 0, "p50": 0.0, "p99": 0.0, "worst": 0.0}
         n = len(samples)
         return {
-            "steps": self._steps,
+            "steps": self.steps - self._cleared,
             "p50": samples[n // 2],
             "p99": samples[min(n - 1, n * 99 // 100)],
             "worst": samples[-1],
@@ -35,5 +44,5 @@ class Lateness:
 
     def clear(self) -> None:
         """Forget all samples."""
-        self._steps = 0
+        self._cleared = self.steps
         self._samples.clear()

@@ -10,6 +10,7 @@ from __future__ import annotations
 import asyncio
 import socket
 import time
+from collections.abc import Callable
 from typing import Literal, Protocol
 
 from ..config import Limits
@@ -18,6 +19,7 @@ from ..wire.page import Speed
 from ..wire.robot_link import LimitExceeded, LinkError
 from ..world.time_step import STEP
 from .lateness import Lateness
+from .step_phases import StepPhases
 from .steps.lockstep import Lockstep
 from .steps.quiet_steps import MemoryRequest
 
@@ -60,17 +62,24 @@ class RealTimeRunner:
         lockstep: Lockstep,
         limits: Limits,
         lateness: Lateness,
+        phases: StepPhases,
         listener: RunnerListener,
         speed: Speed = 1.0,
         replayed: int = 0,
+        clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._loop = asyncio.get_running_loop()
+        # Of deadlines, s.
+        self._clock = clock
         self._link = link
         self._lockstep = lockstep
         self._speed = speed
         self._limits = limits
         self._listener = listener
         self._lateness = lateness
+        self._phases = phases
+        # That of this run while it is at real time.
+        self._phase: int | None = None
         # The steps before this one are made as fast as possible, also while the clock is stopped.
         self._replayed = replayed
         # Whether the clock is stopped; forward() makes single steps.
@@ -82,10 +91,10 @@ class RealTimeRunner:
         self._timer: asyncio.Handle | None = None
         # When the memory was requested last, on the loop's clock.
         self._memory_read = 0.0
-        # When the program must have answered, on the monotonic clock; None while no answer is due.
-        self._deadline: float | None = time.monotonic() + limits.ready
+        # When the program must have answered, on that clock; None while no answer is due.
+        self._deadline: float | None = clock() + limits.ready
         # When the deadline was checked last.
-        self._deadline_checked = time.monotonic()
+        self._deadline_checked = clock()
         self._stopping = False
         self._over = False
         self._allowance = TokenBucket(_MAX_OUTPUT_RATE, 2 * _MAX_OUTPUT_RATE, self._loop.time())
@@ -99,7 +108,7 @@ class RealTimeRunner:
     def set_speed(self, speed: Speed) -> None:
         """Change the speed of the clock from the next step on."""
         self._speed = speed
-        self._due = self._loop.time()
+        self._start_clock()
         if self._timer is not None:
             self._timer.cancel()
             self._next()
@@ -107,6 +116,7 @@ class RealTimeRunner:
     def pause(self) -> None:
         """Stop before the next step."""
         self.paused = True
+        self._leave_phase()
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
@@ -116,7 +126,7 @@ class RealTimeRunner:
         if self.paused:
             self.paused = False
             self._single_steps = 0
-            self._due = self._loop.time()
+            self._start_clock()
             self._continue()
 
     def forward(self) -> None:
@@ -133,7 +143,7 @@ class RealTimeRunner:
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
-        self._deadline = time.monotonic() + self._limits.stop
+        self._deadline = self._clock() + self._limits.stop
         self._send(self._lockstep.stop())
 
     def abandon(self) -> None:
@@ -142,12 +152,26 @@ class RealTimeRunner:
 
     # Steps
 
+    def _start_clock(self) -> None:
+        """The next step is due now; at real time in a phase that few runs have."""
+        self._leave_phase()
+        now = self._loop.time()
+        if self._speed == 1 and not self.paused:
+            self._phase, self._due = self._phases.enter(now)
+        else:
+            self._due = now
+
+    def _leave_phase(self) -> None:
+        if self._phase is not None:
+            self._phases.leave(self._phase)
+            self._phase = None
+
     def _continue(self) -> None:
         if self._lockstep.state in ("ready", "settled") and not self._stopping:
             self._next()
 
     def _next(self) -> None:
-        """Schedule the next step."""
+        """Make the next step, or schedule it."""
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
@@ -167,9 +191,17 @@ class RealTimeRunner:
             return
         now = self._loop.time()
         if now - self._due > _MAX_LAG:
-            self._due = now
+            self._start_clock()
         if self._due <= now:
             self._step_due()
+        else:
+            self._timer = self._loop.call_at(self._due, self._step_due)
+
+    def _next_later(self) -> None:
+        """Schedule the next step, not at once: other runs have their turn between two steps at full speed."""
+        is_waiting = self._due > self._loop.time() and self._lockstep.step >= self._replayed
+        if self._stopping or self._over or self.paused or self._speed == "max" or not is_waiting:
+            self._timer = self._loop.call_soon(self._next)
         else:
             self._timer = self._loop.call_at(self._due, self._step_due)
 
@@ -190,12 +222,11 @@ class RealTimeRunner:
         batch = self._lockstep.sense(memory)
         if not batch:
             self._finish_step()
-            # Not at once: other runs have their turn between two steps at full speed.
-            self._timer = self._loop.call_soon(self._next)
+            self._next_later()
             return
         if memory != "none":
             self._memory_read = now
-        self._deadline = time.monotonic() + self._limits.settle
+        self._deadline = self._clock() + self._limits.settle
         self._send(batch)
 
     def _finish_step(self) -> None:
@@ -219,8 +250,8 @@ class RealTimeRunner:
         before = self._lockstep.state
         try:
             state = self._lockstep.feed(data)
-        except LimitExceeded as error:
-            self._end("loud", str(error))
+        except LimitExceeded as too_much:
+            self._end("loud", str(too_much))
             return
         except LinkError as error:
             self._end("broken", str(error))
@@ -235,7 +266,7 @@ class RealTimeRunner:
         if not self._stopping:
             self._deadline = None
         if state == "ready":
-            self._due = self._loop.time()
+            self._start_clock()
         elif state == "settled":
             self._finish_step()
         self._continue()
@@ -253,7 +284,7 @@ class RealTimeRunner:
             self._loop.call_soon(self._end, "stuck", "")
 
     def _check_deadline(self) -> None:
-        now = time.monotonic()
+        now = self._clock()
         paused_for = now - self._deadline_checked - _DEADLINE_INTERVAL
         self._deadline_checked = now
         if self._deadline is not None and paused_for > _DEADLINE_INTERVAL:
@@ -271,6 +302,7 @@ class RealTimeRunner:
 
     def _finish(self) -> None:
         self._over = True
+        self._leave_phase()
         self._loop.remove_reader(self._link)
         self._deadline_timer.cancel()
         if self._timer is not None:

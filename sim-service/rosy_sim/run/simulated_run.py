@@ -1,60 +1,30 @@
 """
 Simulated run: a program in the simulator that a page watches.
 
-Connects the compiled program (``page_run``) to the world (``lockstep``) and to the clock (``realtime_runner``), and
-turns what happens in each step into messages for the page.
+Connects the compiled program (``page_run``) to the world (``lockstep``), to the clock (``realtime_runner``), and to
+what the page is shown of each step (``step_display``).
 """
 
 from __future__ import annotations
 
 import socket
 from collections.abc import Callable
-from dataclasses import dataclass
 
 from ..wire import page
-from ..wire.firing import read_firings
 from ..wire.problem import Problem
 from ..wire.topics import TopicMessage
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
-from ..world.events import Reading, velocity
-from ..world.time_step import STEPS_PER_SECOND
-from ..world.world import World
+from ..world.events import velocity
 from .page_run import PageRun, RunView
 from .problems import broken_link, died, missing_parts, too_much_output
 from .realtime_runner import Ending, RealTimeRunner
-from .steps.hands import apply_hand
+from .step_display import Simulation, StepDisplay
 from .steps.lockstep import Lockstep
-from .steps.replay import NO_REPLAY, Replay
 from .steps.velocity_guard import SafetySettings
 from .worker_session import RunServices
 
-__all__ = ["SimulatedRun", "Simulation"]
-
-_DIVERGED_STEPS = 5
-"""Steps between two frames of a replay that differs from the earlier run: 10 frames per simulated second."""
-
-
-@dataclass(frozen=True, slots=True)
-class Simulation:
-    """What a program is run in."""
-
-    world: World
-    seed: int
-    # Called in each step with what the robot has sensed.
-    on_events: Callable[[list[Reading]], None]
-    # Called for each message that the program publishes on a topic of its own.
-    on_message: Callable[[TopicMessage], None]
-    safety: SafetySettings
-    # Called in each step: whether the safety rules override the program, and the time in s.
-    on_safety: Callable[[bool, float], None]
-    # Called after each step, and once when the run is over.
-    on_step: Callable[[Lockstep], None] = lambda _: None
-    on_over: Callable[[], None] = lambda: None
-    # Whether the page asks for a record of the firings.
-    observes: bool = False
-    # What is repeated of an earlier run before this one is live.
-    replay: Replay = NO_REPLAY
+__all__ = ["SimulatedRun"]
 
 
 class SimulatedRun(PageRun):
@@ -71,16 +41,14 @@ class SimulatedRun(PageRun):
     ) -> None:
         self._simulation = simulation
         self._safety = simulation.safety
+        self._display = StepDisplay(simulation, view, request.paused)
         self._speed: page.Speed = request.speed
-        self._paused = request.paused
         # Whether the page was told that the run waits for a place.
         self._is_waiting = False
         # The problems of a program that runs.
         self._warnings: list[Problem] = []
         self._observes = simulation.observes
         self._replay = simulation.replay
-        # Whether the replay has had other commands than the earlier run.
-        self._has_diverged = False
         # Set when the program has started; None again when the run is over.
         self._runner: RealTimeRunner | None = None
         self._lockstep: Lockstep | None = None
@@ -118,7 +86,7 @@ class SimulatedRun(PageRun):
 
     def pause(self) -> None:
         """Stop the clock; the page gets the frame of the last step, which may have come too soon to be sent."""
-        self._paused = True
+        self._display.paused = True
         if self._runner is not None:
             self._runner.pause()
             if not self.is_replaying:
@@ -127,13 +95,13 @@ class SimulatedRun(PageRun):
 
     def resume(self) -> None:
         """Restart the clock, when there is a place among the runs that run at once."""
-        self._paused = False
+        self._display.paused = False
         if self._runner is not None:
             self._is_waiting = False
             self._session.take_slot(self._go_on)
 
     def _go_on(self) -> None:
-        if self._runner is not None and not self._paused:
+        if self._runner is not None and not self._display.paused:
             if self._is_waiting:
                 self._is_waiting = False
                 self._view.show_state("running", self._warnings)
@@ -207,10 +175,19 @@ class SimulatedRun(PageRun):
         self._view.show_started(started.problems, started.branches)
         lockstep = self._lockstep = Lockstep(self._simulation.world, self._simulation.seed, safety=self._safety)
         self._observe(lockstep)
-        self._repeat_hands(lockstep)
+        self._display.repeat_hands(lockstep)
         services, replayed = self._services, self._replay.steps
-        self._runner = RealTimeRunner(link, lockstep, services.limits, services.lateness, self, self._speed, replayed)
-        if self._paused:
+        self._runner = RealTimeRunner(
+            link,
+            lockstep,
+            services.limits,
+            services.lateness,
+            services.phases,
+            self,
+            self._speed,
+            replayed,
+        )
+        if self._display.paused:
             self._runner.pause()
             if not self.is_replaying:
                 self._session.yield_slot()
@@ -219,61 +196,7 @@ class SimulatedRun(PageRun):
 
     def on_step(self, lockstep: Lockstep) -> None:
         """A step has settled and its time has passed."""
-        self._view.step = lockstep.step
-        if lockstep.settled is not None and lockstep.step <= self._replay.steps:
-            self._show_replayed(lockstep)
-        else:
-            self._show_live(lockstep)
-        self._simulation.on_step(lockstep)
-
-    def _repeat_hands(self, lockstep: Lockstep) -> None:
-        for action in self._replay.hands_before(lockstep.step):
-            apply_hand(lockstep, action)
-
-    def _show_replayed(self, lockstep: Lockstep) -> None:
-        """The page has seen this step already, unless the program has changed and does something else."""
-        view, replay = self._view, self._replay
-        self._repeat_hands(lockstep)
-        if not self._has_diverged and replay.commands.differs(lockstep):
-            self._has_diverged = True
-            view.show_divergence((lockstep.step - 1) / STEPS_PER_SECOND)
-        if lockstep.settled is not None and lockstep.settled.memory is not None:
-            view.set_memory(lockstep.settled.memory)
-        if self._has_diverged:
-            self._add_firings(lockstep)
-        is_last = lockstep.step == replay.steps
-        if is_last and not self._has_diverged and replay.commands.kept_steps < replay.steps:
-            view.show_uncompared(replay.commands.kept_steps / STEPS_PER_SECOND)
-        if is_last or (self._has_diverged and lockstep.step % _DIVERGED_STEPS == 0):
-            view.show_frame(force=True)
-        if is_last and lockstep.goals:
-            view.show_goals(lockstep.goals.states)
-
-    def _add_firings(self, lockstep: Lockstep) -> None:
-        """Show what fired in this step with the next frame."""
-        done = lockstep.settled or lockstep.ended
-        if done is not None:
-            self._view.add_fired(done.fired)
-            self._view.add_sensed(done.sensed)
-            if self._view.shows_firings:
-                step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
-                self._view.add_firings(step / STEPS_PER_SECOND, read_firings(done.firings))
-
-    def _show_live(self, lockstep: Lockstep) -> None:
-        view = self._view
-        self._simulation.on_events(lockstep.events)
-        for message in lockstep.published:
-            self._simulation.on_message(message)
-        view.show_output(lockstep.time, lockstep.said(), lockstep.sounds())
-        self._simulation.on_safety(lockstep.is_overridden, lockstep.time)
-        for conflict in lockstep.conflicts:
-            view.show_conflict(lockstep.time, conflict)
-        self._add_firings(lockstep)
-        if lockstep.settled is not None and lockstep.settled.memory is not None:
-            view.set_memory(lockstep.settled.memory)
-        view.show_frame(force=self._paused)
-        if lockstep.goals:
-            view.show_goals(lockstep.goals.states)
+        self._display.on_step(lockstep)
 
     def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:
         """The run is over."""
@@ -282,7 +205,7 @@ class SimulatedRun(PageRun):
         self._simulation.on_safety(False, lockstep.time)
         self._view.show_frame(force=True)
         time = lockstep.time
-        if lockstep.goals:
+        if lockstep.has_goals:
             lockstep.goals.finish(time)
             self._view.show_goals(lockstep.goals.states)
         self._simulation.on_over()

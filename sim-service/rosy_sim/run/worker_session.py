@@ -19,10 +19,12 @@ from ..wire.worker import Gone, Refused, Started
 from ..worker.prepared_runs import PreparedRun
 from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import RunningProgram, WorkerSupervisor
+from .frame_rate import FrameRate
 from .lateness import Lateness
 from .observed_runs import MOST_OBSERVED, ObservedRuns
 from .problems import died, stuck, worker_lost
 from .run_queue import RunQueue
+from .step_phases import StepPhases
 
 __all__ = ["CompilationListener", "RunServices", "Silence", "WorkerSession"]
 
@@ -38,7 +40,9 @@ class RunServices:
     queue: RunQueue
     limits: Limits
     lateness: Lateness
+    frame_rate: FrameRate
     scheduler: QuestionScheduler
+    phases: StepPhases = field(default_factory=StepPhases)
     observed: ObservedRuns = field(default_factory=lambda: ObservedRuns(MOST_OBSERVED))
 
 

@@ -19,6 +19,7 @@ from ..config import Config
 from ..ownership.robot_registry import RobotRegistry
 from ..ownership.run_recorder import RunRecorder
 from ..previews.preview_pool import PreviewPool
+from ..run.frame_rate import FrameRate
 from ..run.lateness import Lateness
 from ..run.run_queue import RunQueue
 from ..run.worker_session import RunServices
@@ -60,7 +61,12 @@ class Service:
         self.previews = PreviewPool(config)
         self.prepared_runs = PreparedRuns(self.worker, config.limits.prepared)
         self._run_services = RunServices(
-            self.worker, self.run_queue, config.limits, self.lateness, QuestionScheduler(time.monotonic)
+            self.worker,
+            self.run_queue,
+            config.limits,
+            self.lateness,
+            FrameRate(config.limits.frame_rate, self.lateness),
+            QuestionScheduler(time.monotonic),
         )
         self.pages = PageSockets(config.limits, self.loop_scheduler, self._open_session)
         self.sessions = self.pages.sessions

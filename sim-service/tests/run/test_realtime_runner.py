@@ -7,14 +7,11 @@ import json
 import socket
 import time
 from collections.abc import Callable
-from types import SimpleNamespace
-
-import pytest
 
 from rosy_sim.config import Limits
-from rosy_sim.run import realtime_runner
 from rosy_sim.run.lateness import Lateness
 from rosy_sim.run.realtime_runner import Ending, RealTimeRunner
+from rosy_sim.run.step_phases import StepPhases
 from rosy_sim.run.steps.lockstep import Lockstep
 
 from ..conftest import hall
@@ -46,11 +43,8 @@ class Clock:
         return time.monotonic() + self.asleep
 
 
-def test_a_machine_that_was_asleep_does_not_end_a_program_that_has_answered(
-    monkeypatch: pytest.MonkeyPatch, limits: Limits, impatient: Limits
-) -> None:
+def test_a_machine_that_was_asleep_does_not_end_a_program_that_has_answered(limits: Limits, impatient: Limits) -> None:
     clock = Clock()
-    monkeypatch.setattr(realtime_runner, "time", SimpleNamespace(monotonic=clock.monotonic))
 
     async def looked_at(ended: asyncio.Future[Ending]) -> None:
         loop, looked = asyncio.get_running_loop(), asyncio.Event()
@@ -64,7 +58,9 @@ def test_a_machine_that_was_asleep_does_not_end_a_program_that_has_answered(
         ours, theirs = socket.socketpair()
         with theirs:
             theirs.setblocking(False)
-            RealTimeRunner(ours, Lockstep(hall(), 1), impatient, Lateness(), watched)
+            RealTimeRunner(
+                ours, Lockstep(hall(), 1), impatient, Lateness(), StepPhases(), watched, clock=clock.monotonic
+            )
             unread = b""
 
             async def heard(op: str) -> None:

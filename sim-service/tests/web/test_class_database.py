@@ -12,7 +12,6 @@ import pytest
 
 from rosy_sim.classroom.store.class_places import class_place
 from rosy_sim.classroom.store.class_store import ClassStore
-from rosy_sim.classroom.store.store_thread import StoreThread
 from rosy_sim.config import Config
 
 from ..classroom.conftest import server
@@ -41,7 +40,7 @@ async def taught_on(url: str, config: Config) -> AsyncIterator[tuple[Class, Clas
         async with serving(replace(config, class_database=url), store) as (address, service), AsyncExitStack() as stack:
             assert service.classroom is not None
             # A server that is away is away at once.
-            service.classroom._store = StoreThread(store, 0.0)
+            service.classroom._store._patience = 0.0
             yield Class(address, admission.code, admission.teacher_key, stack), store
 
 

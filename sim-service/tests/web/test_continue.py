@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from rosy_sim.config import Config
 from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.web.service import Service
+from rosy_sim.web.sessions.page_runs import PageRuns
 
 from .page_client import Message, Page, story
 
@@ -69,15 +70,16 @@ class CommandRecorder:
     def __init__(self, patch: pytest.MonkeyPatch) -> None:
         # Of the newest run.
         self.commands: list[list[object]] = []
-        integrate = Lockstep.integrate
+        on_step = PageRuns._on_step
 
-        def record(lockstep: Lockstep) -> None:
-            if lockstep.step == 0:
-                self.commands = []
-            self.commands.append([*lockstep.commands, *lockstep.published])
-            integrate(lockstep)
+        def record(runs: PageRuns, lockstep: Lockstep) -> None:
+            if lockstep.settled is not None:
+                if lockstep.step == 1:
+                    self.commands = []
+                self.commands.append([*lockstep.commands, *lockstep.published])
+            on_step(runs, lockstep)
 
-        patch.setattr(Lockstep, "integrate", record)
+        patch.setattr(PageRuns, "_on_step", record)
 
 
 def diverged(page: Page, run: int) -> list[float]:

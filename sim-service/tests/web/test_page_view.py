@@ -7,6 +7,8 @@ import math
 import pytest
 
 from rosy_sim.config import Config
+from rosy_sim.run.frame_rate import FrameRate
+from rosy_sim.run.lateness import Lateness
 from rosy_sim.web.service import Service
 from rosy_sim.web.sessions.outbox import Outbox
 from rosy_sim.web.sessions.page_view import PageView, Room
@@ -44,7 +46,7 @@ class Sent(Outbox):
 def watched(visible: page.Visible | None, seconds: int = 10) -> tuple[PageView, Sent]:
     """The frames of a run at 50 steps a second."""
     clock, sent = Clock(), Sent()
-    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view = PageView(sent, Room({}, hall()), FrameRate(60.0, Lateness()), clock.time)
     if visible is not None:
         view.set_visibility(visible)
     for step in range(50 * seconds):
@@ -63,7 +65,7 @@ def test_a_page_gets_as_many_frames_as_its_user_can_see(visible: page.Visible | 
 
 def test_frames_tell_all_channels_at_the_start_of_a_run_and_then_what_differs() -> None:
     clock, sent, world = Clock(), Sent(), hall()
-    view = PageView(sent, Room({}, world), 60.0, clock.time)
+    view = PageView(sent, Room({}, world), FrameRate(60.0, Lateness()), clock.time)
 
     def told() -> dict[str, Shown]:
         view.show_frame(force=True)
@@ -83,7 +85,7 @@ def test_frames_tell_all_channels_at_the_start_of_a_run_and_then_what_differs() 
 
 def test_after_a_real_robot_was_shown_the_simulated_one_tells_what_differs_from_it() -> None:
     clock, sent = Clock(), Sent()
-    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view = PageView(sent, Room({}, hall()), FrameRate(60.0, Lateness()), clock.time)
     view.show_frame()
     clock.now += 1
     view.show_telemetry(FrameLine(0.1, PoseShown(0.0, 0.0, 0.0), {"Led1": [2]}, [], [], False))
@@ -121,7 +123,7 @@ def frame_line(time: float) -> FrameLine:
 
 def test_frames_of_the_run_before_are_not_those_of_the_next_one() -> None:
     clock, sent = Clock(), Sent()
-    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view = PageView(sent, Room({}, hall()), FrameRate(60.0, Lateness()), clock.time)
 
     def shown(time: float) -> bool:
         before = len(sent.frames)
@@ -142,7 +144,7 @@ def test_frames_of_the_run_before_are_not_those_of_the_next_one() -> None:
 
 def test_a_real_robot_is_shown_where_its_odometry_begins() -> None:
     clock, sent = Clock(), Sent()
-    view = PageView(sent, Room({}, hall()), 60.0, clock.time)
+    view = PageView(sent, Room({}, hall()), FrameRate(60.0, Lateness()), clock.time)
     view.origin = Pose(1.0, 2.0, math.pi / 2)
     view.show_telemetry(FrameLine(0.1, PoseShown(0.5, 0.25, 0.1), {}, [], [], False))
     found = sent.frames[-1].pose

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Literal
 
 from rosy_sim.config import Config
+from rosy_sim.run.frame_rate import FrameRate
 from rosy_sim.run.lateness import Lateness
 from rosy_sim.run.run_queue import RunQueue
 from rosy_sim.run.worker_session import RunServices, WorkerSession
@@ -120,7 +121,14 @@ def test_what_a_session_was_given_ends_when_it_is_cancelled_before_its_first_ste
         runs.prepare("one", "a")
         prepared = runs.take("one", "a")
         assert prepared is not None
-        services = RunServices(worker, RunQueue(1), config.limits, Lateness(), QuestionScheduler(time.monotonic))
+        services = RunServices(
+            worker,
+            RunQueue(1),
+            config.limits,
+            Lateness(),
+            FrameRate(60.0, Lateness()),
+            QuestionScheduler(time.monotonic),
+        )
         WorkerSession("a", services, Silent(), prepared).cancel()
         assert prepared.link.fileno() == -1
         assert (await prepared.program.gone).signal == signal.SIGKILL

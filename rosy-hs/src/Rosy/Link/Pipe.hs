@@ -50,7 +50,7 @@ pipeLink descriptor page mailbox = do
   taken <- newIORef []
   -- Whether the latest bytes came in the mailbox.
   inMailbox <- newIORef False
-  -- Whether the next batch is expected in the mailbox, as it was said with the latest one. After the answer it may already be said of
+  -- Whether the next batch is expected in the mailbox, as it was said with the latest one or the start. After the answer it may already be said of
   -- the batch after that.
   isExpected <- newIORef False
   let fromLink = writeIORef inMailbox False >> readPiece descriptor
@@ -69,6 +69,7 @@ pipeLink descriptor page mailbox = do
             StartLine 1 seed clock trace quiet -> do
               writeIORef telling (Telling trace quiet)
               writeIORef taken [topicName t | t <- topics, topicUse t == Taken]
+              writeIORef isExpected =<< isExpectedIn mailbox
               send descriptor (writeOpening (mailbox /= noMailbox) topics)
               pure (Opening seed clock)
             _ -> throwIO (Malformed "the first line is not a start of protocol 1"),

@@ -61,7 +61,7 @@ class Lockstep:
         self._link = SimulatorLink()
         # The progress of the goals of the world.
         self.goals = GoalTracker(world.arena.goals)
-        self._has_goals = bool(self.goals)
+        self.has_goals = bool(self.goals)
         # Where the conversation is: opening until `ready`; thinking from sense() to `settled`.
         self.state: State = "opening"
         # Steps integrated so far, and with it the simulated time in units of 20 ms.
@@ -252,7 +252,7 @@ class Lockstep:
             self._drive(self._guard.tick(self.time))
         world.integrate()
         self.step += 1
-        if self._has_goals:
+        if self.has_goals:
             self.goals.observe(self.observation())
 
     def observation(self) -> Observation:

@@ -31,9 +31,8 @@ class CommandLog:
     def add(self, lockstep: Lockstep) -> None:
         """Record the step that has just been integrated."""
         self.steps = lockstep.step
-        given = _given(lockstep)
-        if given and len(self._given) < _MAX_STEPS:
-            self._given[lockstep.step - 1] = given
+        if (lockstep.commands or lockstep.published) and len(self._given) < _MAX_STEPS:
+            self._given[lockstep.step - 1] = _given(lockstep)
 
     @property
     def kept_steps(self) -> int:

@@ -18,7 +18,8 @@ from ...recordings.recorded_run import RecordedRun
 from ...recordings.recording_stream import RecordingStream
 from ...robots import DEFAULT_ROBOT
 from ...run.page_run import PageRun
-from ...run.simulated_run import SimulatedRun, Simulation
+from ...run.simulated_run import SimulatedRun
+from ...run.step_display import Simulation
 from ...run.steps.lockstep import Lockstep
 from ...run.steps.replay import NO_REPLAY
 from ...run.worker_session import RunServices
@@ -59,7 +60,7 @@ class PageRuns:
         self._now = asyncio.get_running_loop().time
         self.explanations = RunExplanations(outbox.put)
         room = default_room()
-        self.view = PageView(outbox, room, services.limits.frame_rate, self._now, self.explanations.on_branches)
+        self.view = PageView(outbox, room, services.frame_rate, self._now, self.explanations.on_branches)
         self.simulator = SimulatedRobot(self.view, room, lambda: self._run, self.refuse)
         # Holds for the simulator and for the real robot.
         self.safety = SafetySwitch(outbox.put, lambda: self.view.run)
@@ -163,8 +164,7 @@ class PageRuns:
         explanations = self.explanations
         explanations.start(request.run, details.program)
         robot = self.simulator
-        frame_rate = self._services.limits.frame_rate
-        view = PageView(self._outbox, robot.room, frame_rate, self._now, explanations.on_branches)
+        view = PageView(self._outbox, robot.room, self._services.frame_rate, self._now, explanations.on_branches)
         view.run = request.run
         view.shows_firings = self.view.shows_firings
         view.origin = robot.world.arena.start if request.room else Pose(0.0, 0.0, 0.0)

@@ -12,7 +12,8 @@ from collections.abc import Callable
 import msgspec
 
 from ...run.page_run import PageRun
-from ...run.simulated_run import SimulatedRun, Simulation
+from ...run.simulated_run import SimulatedRun
+from ...run.step_display import Simulation
 from ...run.steps.lockstep import Lockstep
 from ...run.steps.velocity_guard import SafetySettings
 from ...run.worker_session import RunServices
@@ -55,7 +56,7 @@ class PageTwin:
         """
         self.end_now()
         explanations = self.explanations
-        view = PageView(self._outbox, room, self._services.limits.frame_rate, self._now, explanations.on_branches)
+        view = PageView(self._outbox, room, self._services.frame_rate, self._now, explanations.on_branches)
         view.run = twin
 
         def start(safety: SafetySettings) -> None:

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from itertools import zip_longest
 from typing import Any, Literal
 
+from ...run.frame_rate import FrameRate
 from ...run.page_run import Ended
 from ...run.steps.command_conflicts import CommandConflict
 from ...token_bucket import TokenBucket
@@ -71,6 +72,7 @@ class PageView:
     Puts answers into a page's outbox.
 
     Args:
+        frame_rate: that of the service.
         now: a clock in s that only goes forward.
     """
 
@@ -78,7 +80,7 @@ class PageView:
         self,
         outbox: Outbox,
         room: Room,
-        frame_rate: float,
+        frame_rate: FrameRate,
         now: Callable[[], float],
         on_branches: Callable[[list[Branch]], None] = lambda _: None,
     ) -> None:
@@ -101,7 +103,9 @@ class PageView:
         self._goals: list[page.Goal] = []
         self._output_limit = TokenBucket(_OUTPUT_RATE, _OUTPUT_BURST, now())
         self._frame_rate = frame_rate
-        self._frame_limit = TokenBucket(frame_rate, _FRAME_BURST, now())
+        # Frames a second that the page wants, and those of the service as far as it may have them.
+        self._wanted_rate = math.inf
+        self._frame_limit = TokenBucket(frame_rate.at(now()), _FRAME_BURST, now())
         # A hidden page gets the frames that show a change of its run's state only.
         self._is_hidden = False
         # For the next frame: functions that have fired, and the memory if it has changed.
@@ -184,11 +188,13 @@ class PageView:
 
     def add_fired(self, names: list[str]) -> None:
         """Show these functions with the next frame."""
-        self._fired = (self._fired + names)[-_MAX_FIRED:]
+        if names:
+            self._fired = (self._fired + names)[-_MAX_FIRED:]
 
     def add_sensed(self, texts: list[str]) -> None:
         """Show the events that the program sensed with the next frame."""
-        self._sensed = (self._sensed + texts)[-_MAX_SENSED:]
+        if texts:
+            self._sensed = (self._sensed + texts)[-_MAX_SENSED:]
 
     def add_firings(self, time: float, firings: list[Firing]) -> None:
         """Show these firings of a step with the next frame, if the page asks for them."""
@@ -242,13 +248,16 @@ class PageView:
     def set_visibility(self, visible: page.Visible) -> None:
         """How much of the page is seen: it decides how many frames it gets."""
         was_hidden, self._is_hidden = self._is_hidden, visible == "hidden"
-        rate = self._frame_rate if visible == "focused" else min(self._frame_rate, _BACKGROUND_RATE)
-        self._frame_limit = TokenBucket(rate, _FRAME_BURST, self._now())
+        self._wanted_rate = math.inf if visible == "focused" else _BACKGROUND_RATE
         if was_hidden and not self._is_hidden:
             self.show_frame(force=True)
 
     def _may_show_frame(self) -> bool:
-        return not self._is_hidden and self._frame_limit.spend(1, self._now())
+        if self._is_hidden:
+            return False
+        now = self._now()
+        self._frame_limit.rate = min(self._wanted_rate, self._frame_rate.at(now))
+        return self._frame_limit.spend(1, now)
 
     def show_frame(self, force: bool = False) -> None:
         """Show the simulated robot as it is now, unless the last frame was too recent."""

@@ -49,6 +49,8 @@ class HandsRecorder:
 
     def after_step(self) -> None:
         """Run the actions that were deferred to the end of the step, or of the replay."""
+        if not self._waiting:
+            return
         run = self._current_run()
         if run is not None and run.is_replaying:
             return

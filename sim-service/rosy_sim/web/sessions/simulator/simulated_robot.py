@@ -111,8 +111,8 @@ class SimulatedRobot:
                 self.hands.record(action)
             for message in published(request):
                 self._publish(message)
-        except ActionRefused as error:
-            self._refuse(error.sentence, None)
+        except ActionRefused as refused:
+            self._refuse(refused.sentence, None)
         except BadMessage as error:
             self._refuse(tr("This message cannot be published."), error.sentence)
         else:
@@ -166,8 +166,9 @@ class SimulatedRobot:
     def on_events(self, events: list[Reading]) -> None:
         """The robot has sensed these events in a step."""
         self.steps += 1
-        self.world.listen("ros", self.bridge.wanted() if self.bridge else ())
-        if events or self.bridge:
+        has_clients = bool(self.bridge)
+        self.world.listen("ros", self.bridge.wanted() if has_clients else ())
+        if events or has_clients:
             self.bridge.publish(events, self.world.odometry(), self.steps / STEPS_PER_SECOND, self._now())
 
     def on_step(self, lockstep: Lockstep) -> None:
