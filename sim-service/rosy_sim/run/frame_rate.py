@@ -2,7 +2,7 @@
 Frame rate of all pages: when steps begin late, pages get fewer frames, so that simulated time keeps up with real time.
 
 A frame costs the service about as much as two steps. A page interpolates between two frames: few of them look less
-smooth, but nothing happens later. The rate is multiplied by 0.7 while more than 3 % of the steps are late, and rises by
+smooth, but nothing happens later. The rate is multiplied by 0.7 while more than 2.5 % of the steps are late, and rises by
 a constant otherwise (additive increase and multiplicative decrease, as TCP finds the rate of a network).
 """
 
@@ -20,11 +20,11 @@ LOWEST_RATE = 12.0
 _INTERVAL = 1.0
 """Between two reviews of the rate, s."""
 
-_LATE_SHARE, _FEWEST_LATE = 0.03, 3
+_LATE_SHARE, _FEWEST_LATE = 0.025, 3
 """The share of late steps above which the rate falls, and the fewest of them. A single pause of the machine or of the
 garbage collector delays a fiftieth of the steps of an interval, and is no overload."""
 
-_FALL, _RISE = 0.7, 4.0
+_FALL, _RISE = 0.7, 2.0
 """Factor when it falls; frames a second by which it rises in a second."""
 
 
