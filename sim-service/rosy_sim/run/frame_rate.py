@@ -2,8 +2,8 @@
 Frame rate of all pages: when steps begin late, pages get fewer frames, so that simulated time keeps up with real time.
 
 A frame costs the service about as much as two steps. A page interpolates between two frames: few of them look less
-smooth, but nothing happens later. The rate is multiplied by 0.7 while more than 2.5 % of the steps are late, and rises by
-a constant otherwise (additive increase and multiplicative decrease, as TCP finds the rate of a network).
+smooth, but nothing happens later. The rate is multiplied by 0.7 while more than 2.5 % of the steps are late, and rises
+by a constant otherwise (additive increase and multiplicative decrease, as TCP finds the rate of a network).
 """
 
 from __future__ import annotations
