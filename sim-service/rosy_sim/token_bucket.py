@@ -11,7 +11,7 @@ class TokenBucket:
     """``rate`` tokens a second, at most ``most`` at once."""
 
     def __init__(self, rate: float, most: float, now: float) -> None:
-        # May be changed; it holds from the last call on.
+        # May be changed; the new rate also counts for the time since the last call.
         self.rate = rate
         self._most = most
         # Tokens at ``_then``; negative after overdraw().

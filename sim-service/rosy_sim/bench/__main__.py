@@ -16,11 +16,11 @@ from ..errors import RosyError
 from . import class_board, lockstep, pages, previews, recording, recovery, resting, world
 from .attacks import under_attack
 from .cluster import report as cluster
-from .programs import EACH_STEP, MOVE, PATROL
+from .programs import MOVE, PATROL, SPEED_UP
 
 __all__ = ["main"]
 
-_ON_PAGES = {"a task with pauses": PATROL, "the default rate": MOVE, "a function that fires at 50 Hz": EACH_STEP}
+_ON_PAGES = {"a task with pauses": PATROL, "the default rate": MOVE, "a function that fires at 50 Hz": SPEED_UP}
 """Programs of many pages, by what they are."""
 
 

@@ -35,7 +35,7 @@ from ..web.pacing.paced_frames import paced_frames
 from ..web.service import Service
 from ..world.time_step import STEP
 from .processor_time import exact_time
-from .programs import EACH_STEP
+from .programs import SPEED_UP
 
 __all__ = ["IN_TIME", "Cost", "Drivers", "Turn", "drive", "report", "take_turns"]
 
@@ -56,7 +56,7 @@ class Drivers:
 
     count: int
     seconds: float
-    program: str = EACH_STEP
+    program: str = SPEED_UP
     requests: tuple[Mapping[str, Any], ...] = ()
 
 
@@ -81,7 +81,7 @@ class Cost:
         return self.lateness["steps"]
 
 
-def report(config: Config, count: int, runs: int, seconds: float, profile: bool, program: str = EACH_STEP) -> float:
+def report(config: Config, count: int, runs: int, seconds: float, profile: bool, program: str = SPEED_UP) -> float:
     """
     Print a row: so many pages with a program, of which so many may drive at once. With ``profile`` also where the
     service's time went. Answers how late steps began, s (p99).

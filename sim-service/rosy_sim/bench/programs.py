@@ -4,7 +4,7 @@ Programs of the benchmarks, by how often they are asked: at pauses and events on
 
 from __future__ import annotations
 
-__all__ = ["BACK_OFF", "EACH_STEP", "MOVE", "PATROL"]
+__all__ = ["BACK_OFF", "EACH_STEP", "MOVE", "PATROL", "SPEED_UP"]
 
 BACK_OFF = """backOff :: Bumper -> Velocity
 backOff (Bumper _ Pressed) = Velocity (-0.1) 0.4
@@ -30,6 +30,12 @@ main = simulate move
 
 EACH_STEP = """accelerate :: Velocity -> Velocity
 accelerate (Velocity v w) = Velocity (v * 0.5 + 0.05) 0.1
+
+main = simulate accelerate
+"""
+
+SPEED_UP = """accelerate :: Velocity -> Velocity
+accelerate (Velocity v w) = Velocity (v + 0.3) 0.4
 
 main = simulate accelerate
 """

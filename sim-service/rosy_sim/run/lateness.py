@@ -9,7 +9,7 @@ from ..world.time_step import STEP
 __all__ = ["LATE", "Lateness"]
 
 LATE = STEP / 2
-"""A step that begins later than this counts as late, s."""
+"""A step that begins later than this counts in ``late``, s: the next one is nearer than the moment when it was due."""
 
 
 class Lateness:

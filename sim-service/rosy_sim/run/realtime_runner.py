@@ -197,14 +197,6 @@ class RealTimeRunner:
         else:
             self._timer = self._loop.call_at(self._due, self._step_due)
 
-    def _next_later(self) -> None:
-        """Schedule the next step, not at once: other runs have their turn between two steps at full speed."""
-        is_waiting = self._due > self._loop.time() and self._lockstep.step >= self._replayed
-        if self._stopping or self._over or self.paused or self._speed == "max" or not is_waiting:
-            self._timer = self._loop.call_soon(self._next)
-        else:
-            self._timer = self._loop.call_at(self._due, self._step_due)
-
     def _step_due(self) -> None:
         assert self._speed != "max"
         self._timer = None
@@ -222,7 +214,8 @@ class RealTimeRunner:
         batch = self._lockstep.sense(memory)
         if not batch:
             self._finish_step()
-            self._next_later()
+            # Not at once: other runs have their turn between two steps at full speed.
+            self._timer = self._loop.call_soon(self._next)
             return
         if memory != "none":
             self._memory_read = now
