@@ -19,6 +19,7 @@ module Test.Robots.Same
 where
 
 import Control.Applicative ((<|>))
+import Control.Concurrent (threadWaitRead)
 import Control.Concurrent.Async (wait, waitSTM, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (bracket, finally)
@@ -125,11 +126,11 @@ inMailbox main' = bracket (callocBytes 65536) free $ \box -> withProgramAtPipe b
         let bytes = LC.toStrict (Builder.toLazyByteString batch)
         Unsafe.unsafeUseAsCStringLen bytes (\(from, size) -> copyBytes (box `plusPtr` 4096) from size)
         poke (word 0) (fromIntegral (B.length bytes))
-      -- The first line and the last come over the link.
+      -- The first line and the last come over the link. Reading is outside of the time limit, which could lose what was read.
       look = do
         size <- peek (word 64)
         if size == 0
-          then timeout 2000 (recv socket 65536) >>= maybe look pure
+          then timeout 2000 (withFdSocket socket (threadWaitRead . Fd)) >>= maybe look (\() -> recv socket 65536)
           else B.packCStringLen (box `plusPtr` 32768, fromIntegral size) <* poke (word 64) 0
   poke (word 128) 1
   lineReader look >>= converse (say' socket) put
