@@ -1,7 +1,6 @@
 /// Test runner settings. The build needs none of them, and works without the test runner installed (`vite.config.ts`).
 
 import {defineConfig} from "vitest/config"
-import {dayOf, turns, waiting} from "./test/turns.ts"
 
 export default defineConfig({
   test: {
@@ -9,7 +8,6 @@ export default defineConfig({
     testTimeout: 1_800_000,
     hookTimeout: 1_800_000,
     include: ["test/**/*.test.ts"],
-    exclude: waiting(turns, dayOf(process.env)).map(name => `test/${name}.test.ts`),
     setupFiles: ["test/yield_between_tests.ts"],
     // One module graph for all files: reading the language and its library costs a second for each of forty.
     isolate: false,

@@ -6,6 +6,7 @@ import {createRequire} from "node:module"
 import {dirname, extname, join} from "node:path"
 import {fileURLToPath} from "node:url"
 import {defineConfig, type Plugin} from "vite"
+import {filmPlayer} from "./plugins/film_player.ts"
 import {guide, guideEntry} from "./plugins/guide/plugin.ts"
 import {licenceTexts} from "./plugins/licence_texts.ts"
 
@@ -40,12 +41,17 @@ function blocklyMedia(): Plugin {
   }
 }
 
+/// The page shows it. Its only source is rosy.cabal.
+const [, version = ""] =
+  readFileSync(new URL("../rosy.cabal", import.meta.url), "utf8").match(/^version:\s*(\S+)/m) ?? []
+process.env["VITE_ROSY_VERSION"] = version
+
 const page = (name: string) => fileURLToPath(new URL(name, import.meta.url))
 
 export default defineConfig({
   root: fileURLToPath(new URL(".", import.meta.url)),
   base: "./",
-  plugins: [blocklyMedia(), licenceTexts(), guide(page(".."))],
+  plugins: [blocklyMedia(), licenceTexts(), filmPlayer(), guide(page(".."))],
   build: {
     target: "es2022",
     chunkSizeWarningLimit: 2500,

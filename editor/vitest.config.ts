@@ -2,8 +2,6 @@
 
 import {mergeConfig} from "vite"
 import {defineConfig} from "vitest/config"
-import {dayOf, waiting} from "../codegen/test/turns.ts"
-import {turns} from "./test/turns.ts"
 import build from "./vite.config.ts"
 
 // Tests that need a browser.
@@ -37,7 +35,6 @@ export default mergeConfig(
           test: {
             name: "web",
             include: [web],
-            exclude: waiting(turns, dayOf(process.env)).map(name => `test/${name}.web.test.ts`),
             globalSetup: "test/blocks/browser_setup.ts",
             setupFiles: ["../codegen/test/yield_between_tests.ts"],
             isolate: false,

@@ -1,8 +1,8 @@
 """
 Benchmarks of all parts, each beside its peer in one run; their tables are passed through.
 
-In: names (none: all), and `--small`, with which each is done once with as little as it takes, to see that it still works; `--rotating` does so for
-a fifth of the commands, another fifth with each ROSY_TEST_SEED. `corpus` takes a folder and options behind its name.
+In: names (none: all), and `--small`, with which each is done once with as little as it takes, to see that it still works. `corpus` takes a folder and
+options behind its name.
 Out: tables of medians, 95th percentiles and ratios; with `--small` the counts that the test runner reads. It measures nothing itself: a
 benchmark lives with the part it measures and is a command listed here.
 """
@@ -129,42 +129,32 @@ BENCHES = {
         ],
     ),
     "attacks": Benchmark(
-        "what others notice of one client's attacks, beside the same without: checks, steps, a new page and its program",
-        [Command(simulator("attacks"), small=simulator("attacks", "--seconds", "1"))],
+        "what a class of thirty notices of attacks from one address and from ten, beside the same without; `--small`: all is answered",
+        [Command(simulator("attacks", "--seconds", "20"), small=simulator("attacks", "--small"))],
     ),
 }
 
 
-DAYS = 10
-"""After which each command has had its turn, where the seed grows by one each day."""
-
-
-def turn(name: str, command: Command, seed: int) -> bool:
-    """Whether a command has its turn with this seed."""
-    every = [(benchmark, one) for benchmark, known in BENCHES.items() for one in known.commands]
-    return every.index((name, command)) % DAYS == seed % DAYS
+def absolute(word: str) -> str:
+    """A folder's absolute path; an option or its number as it is."""
+    return word if word.startswith("--") or word.isdecimal() else str(Path(word).resolve())
 
 
 def main() -> int:
-    rotating = "--rotating" in sys.argv[1:]
-    small = rotating or "--small" in sys.argv[1:]
-    given = [word for word in sys.argv[1:] if word not in {"--small", "--rotating"}]
-    seed = int(os.environ.get("ROSY_TEST_SEED", "1"))
+    small = "--small" in sys.argv[1:]
+    given = [word for word in sys.argv[1:] if word != "--small"]
     # A folder, relative to the caller's working directory, and options.
     arguments = given[1:] if given[:1] == ["corpus"] else []
     wanted = ["corpus"] if arguments else given or list(BENCHES)
-    arguments = [word if word.startswith("--") else str(Path(word).resolve()) for word in arguments]
+    arguments = [absolute(word) for word in arguments]
     unknown = [name for name in wanted if name not in BENCHES]
     if unknown:
         print(f"rosy bench: there is no benchmark called {', '.join(unknown)}. There are: {', '.join(BENCHES)}.", file=sys.stderr)
         return 1
     failed = done = 0
     for name in wanted:
-        commands = [command for command in BENCHES[name].commands if not rotating or turn(name, command, seed)]
-        if not commands:
-            continue
         print(f"── {name}: {BENCHES[name].what}", flush=True)
-        for command in commands:
+        for command in BENCHES[name].commands:
             done += 1
             words = command.small if small and command.small is not None else command.words
             try:

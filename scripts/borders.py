@@ -14,6 +14,7 @@ from pathlib import Path
 
 import python_imports
 from citations import citation_breaches
+from confusable_characters import confusable_breaches
 from extension_table import extension_breaches
 from protection_table import protection_breaches
 from robot_sentences import translation_breaches
@@ -58,10 +59,10 @@ def breaches(path: Path, text: str) -> Iterator[str]:
                 yield f"imports {used}: the editor uses codegen, never the other way round"
         if re.search(r"\b(document|window|fetch|WebSocket|localStorage)\b\s*[.(]", re.sub(r"(//[^\n]*|/\*.*?\*/|`[^`]*`|\"[^\"\n]*\")", "", text, flags=re.S)):
             yield "uses the browser: codegen knows no DOM"
-    if name.startswith("editor/src/state/"):
+    if name.startswith(("editor/src/program/", "editor/src/state/", "editor/src/reducers/", "editor/src/values/")):
         for used in imports_ts(text):
             # Change sets and text differences are pure values; both packages serve them.
-            if re.match(r"(blockly|@codemirror/(?!(state|merge)$)|codemirror|preact)", used):
+            if re.match(r"(blockly|@codemirror/(?!(state|merge)$)|codemirror|@?preact)", used):
                 yield f"imports {used}: the page's state knows no DOM"
     if name.endswith(".hs") and not name.startswith("examples/"):
         compiler = [u for u in imports_hs(text) if u.startswith("GHC") and u not in GHC_IN_BASE and not u.startswith("GHC.IO")]
@@ -107,7 +108,7 @@ def robot_breaches(path: Path, text: str) -> Iterator[str]:
 def main() -> int:
     files = tracked_files(ROOT)
     found: list[str] = [*folder_breaches(files), *citation_breaches(ROOT, files)]
-    found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT), *translation_breaches(ROOT)]
+    found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT), *translation_breaches(ROOT), *confusable_breaches(ROOT)]
     found += [f"sim-service/rosy_sim: {what}" for what in python_imports.breaches(ROOT / "sim-service" / "rosy_sim")]
     looked = len(FOLDERS_WITH_README)
     for path in files:

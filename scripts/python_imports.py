@@ -8,22 +8,26 @@ functions and those for types only as well.
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
-__all__ = ["breaches"]
+__all__ = ["breaches", "dependents"]
 
 LAYERS = (
     (
         "atomic_file",
         "attempts",
+        "boot_clock",
         "config",
         "errors",
         "files",
         "memory_ceiling",
         "robot_description",
         "sentences",
+        "text_lines",
         "token_bucket",
+        "version",
         "interruptible",
         "garbage_collection",
     ),
@@ -32,8 +36,11 @@ LAYERS = (
     ("worlds",),
     ("maps",),
     ("wire",),
+    ("ros2",),
     ("explain",),
+    ("accounting",),
     ("worker",),
+    ("programs",),
     ("run",),
     ("previews",),
     ("rooms",),
@@ -43,9 +50,11 @@ LAYERS = (
     ("classroom",),
     ("web", "lsp"),
     ("cluster",),
-    ("bench", "cli", "__main__"),
+    ("bench", "cli", "doctor", "__main__"),
 )
-"""A module imports from its own layer and from those before it. The table in sim-service/README.md explains them."""
+"""A module imports from its own layer and from those before it. The list in sim-service/README.md explains them."""
+
+MOST_MODULES = 16
 
 SYSTEM = frozenset({"asyncio", "select", "selectors", "socket", "subprocess", "threading", "starlette", "uvicorn"})
 
@@ -80,8 +89,44 @@ def breaches(root: Path) -> Iterator[str]:
         for used in sorted(inside):
             if name and _rank(used) > _rank(name):
                 yield f"{where}: imports {used}, which is above it; sim-service/README.md has the order"
+    sizes = Counter(path.parent for path in modules.values() if path.name != "__init__.py")
+    for folder, size in sorted(sizes.items()):
+        if size > MOST_MODULES:
+            yield f"{folder.relative_to(root.parent).as_posix()}: has {size} modules; more than {MOST_MODULES} are two folders"
     for cycle in _cycles(graph):
         yield f"import cycle: {' -> '.join(cycle)}"
+
+
+def dependents(root: Path, changed: Iterable[str]) -> set[str]:
+    """
+    The files below ``root``, a folder with packages, that import one of the changed files, directly or through others,
+    and the changed ones themselves. All are relative to ``root``.
+    """
+    modules = {_name(path, root): path for path in sorted(root.rglob("*.py")) if "site-packages" not in path.parts}
+    importers: dict[str, set[str]] = {}
+    for name, path in modules.items():
+        inside, _ = _imports(name, path, modules)
+        for used in inside | _absolute(path, modules):
+            importers.setdefault(used, set()).add(name)
+    found: set[str] = set()
+    reached = [name for name, path in modules.items() if path.relative_to(root).as_posix() in set(changed)]
+    while reached:
+        name = reached.pop()
+        if name not in found:
+            found.add(name)
+            reached += importers.get(name, ())
+    return {modules[name].relative_to(root).as_posix() for name in found}
+
+
+def _absolute(path: Path, modules: dict[str, Path]) -> set[str]:
+    """The modules below the same root that a file imports by their full names."""
+    names: set[str] = set()
+    for node in ast.walk(ast.parse(path.read_text("utf-8"))):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.level == 0 and node.module:
+            names |= {node.module, *(f"{node.module}.{alias.name}" for alias in node.names)}
+    return names & modules.keys()
 
 
 def _name(path: Path, root: Path) -> str:

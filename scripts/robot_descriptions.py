@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 ROOT = Path(__file__).resolve().parent.parent
 ROBOTS = ROOT / "protocol" / "robots"
@@ -34,6 +34,22 @@ def merged(all_robots: list[Json], part: str) -> list[Json]:
                 # A channel that is sensed and one that is sent have one name in different robots.
                 raise BadRobot(f"{robot['name']}: {entry['name']} is a {entry['kind']} here and a {known['kind']} elsewhere")
     return list(found.values())
+
+
+class Roles(NamedTuple):
+    """
+    Types by what they do in a program. ``events`` trigger a function, ``views`` are those that show one place of another
+    type of event; ``states`` have a current value, those of ``odometry`` from the message that triggers functions of states;
+    ``held`` commands last until the next one; ``records`` have one constructor, with the type's name.
+    """
+
+    events: list[str]
+    views: dict[str, str]
+    states: list[str]
+    odometry: list[str]
+    commands: list[str]
+    held: list[str]
+    records: list[str]
 
 
 class Vocabulary:
@@ -85,6 +101,23 @@ class Vocabulary:
         sensed = "event" if "event" in kinds else "state" if kinds & {"state", "clock"} else ""
         sent = "command" if "command" in kinds else ""
         return (sent or sensed, sensed or sent) if sensed or sent else None
+
+    def roles(self, channels: list[Json]) -> Roles:
+        """What the types of channels and their views do in a program (rules R1 to R4 and R9)."""
+        kinds = {c["name"]: c["kind"] for c in channels}
+        views = {name: entry["view"] for name, entry in self.types.items() if "view" in entry}
+        seen = {name: kinds[views[name]["of"]] if name in views else kinds.get(name) for name in self.types}
+        # A view of an odometry message may have the name of a command, as Velocity has.
+        commands = [c for c in channels if c["kind"] == "command"]
+        return Roles(
+            events=[name for name in self.types if seen[name] == "event"],
+            views={name: view["of"] for name, view in views.items() if seen[name] == "event"},
+            states=[name for name in self.types if seen[name] in ("state", "clock") and not self.types[name].get("internal")],
+            odometry=[name for name in views if seen[name] == "clock"],
+            commands=[c["name"] for c in commands],
+            held=[c["name"] for c in commands if {"rest", "holds"} & set(c) and not self.places(c)],
+            records=[name for name, entry in self.types.items() if "fields" in entry and not entry.get("internal")],
+        )
 
     def _contained(self, name: str) -> set[str]:
         """A type and the types of its fields."""

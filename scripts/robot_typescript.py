@@ -19,9 +19,11 @@ LABELS = {
     "constructors": ("parts", "tooltip"),
     "whats": ("what",),
     "nouns": ("noun",),
+    "names": ("names",),
     "also": ("search",),
     "toolbox": ("toolbox",),
     "values": ("values",),
+    "actuators": ("actuator",),
 }
 """The tables of a language, and the labels of a type that each has."""
 
@@ -34,6 +36,8 @@ def typescript_files(all_robots: list[Json]) -> dict[Path, str]:
     tables = {
         "families": {name: families[name] for name in families if _has_parts(vocabulary, name)},
         "typeFamilies": families,
+        "roles": vocabulary.roles(channels)._asdict(),
+        "codes": {c["name"]: codes for c in channels if (codes := _codes(vocabulary, c["name"]))},
         "units": {t["name"]: units for t in types if (units := _units(t))},
         "choices": {t["name"]: _choice(t, channels, families) for t in types if "values" in t and t["name"] in families},
         "toolbox": [{"type": t["name"], "kind": families[t["name"]][1], **t["toolbox"]} for t in types if "toolbox" in t],
@@ -63,13 +67,16 @@ def _words(language: str, types: list[Json], all_robots: list[Json]) -> Json:
         if "labels" not in entry:
             continue
         labels = entry["labels"].get(language)
-        if labels is None or set(labels) - {"search"} != set(entry["labels"]["en"]) - {"search"}:
+        if labels is None or set(labels) - {"names", "search"} != set(entry["labels"]["en"]) - {"names", "search"}:
             raise BadRobot(f"{entry['name']}: the labels in {language!r} are not those that there are in 'en'")
         if "values" in labels:
             _check_values(entry, language)
         for table, parts in LABELS.items():
             if all(part in labels for part in parts):
                 words[table][entry["name"]] = {part: labels[part] for part in parts} if len(parts) > 1 else labels[parts[0]]
+    for command in Vocabulary(types).roles(merged(all_robots, "channels")).held:
+        if command not in words["actuators"]:
+            raise BadRobot(f"{command}: a command that lasts has no label 'actuator' in {language!r}")
     words["charts"] = {chart["key"]: chart["labels"][language] for robot in all_robots for chart in robot.get("charts", [])}
     return words
 
@@ -103,6 +110,12 @@ def _channel_values(vocabulary: Vocabulary, robot: Json, of: str) -> Json:
         for c in robot["channels"]
         if c["kind"] == of
     }
+
+
+def _codes(vocabulary: Vocabulary, channel: str) -> list[dict[str, str]]:
+    """For each value of a channel the names of its codes; nothing when no value is a choice."""
+    found = [{str(code): name for name, code in vocabulary.codes(kind).items()} for _, kind in vocabulary.leaves(channel)]
+    return found if any(found) else []
 
 
 def _has_parts(vocabulary: Vocabulary, name: str) -> bool:

@@ -43,7 +43,7 @@ NODE_MODULES = ("node_modules", "*/node_modules", "editor/vscode/node_modules")
 
 PARTS = [
     Part("Debian packages", (), ("apt-runtime", "apt-tools", "apt-browsers"), APT_DOWNLOADS),
-    Part("Python packages", (".rosy/venv",), ("venv", "venv-tools")),
+    Part("Python packages", (".rosy/venv",), ("venv", "venv-tools", "ros2")),
     Part("Ray", (".rosy/venv-cluster",), ("venv-cluster",)),
     Part("Node", (".rosy/node",), ("node",)),
     Part("Node's packages", NODE_MODULES, ("npm", "npm-tools"), NPM_DOWNLOADS),

@@ -1,10 +1,10 @@
 """
 Test runner: every check and test of the repository, several suites at once, and one line that counts them.
 
-In: suite names (none: all), and `nightly` for all random tests at full length. Out: the output of each suite in one block
-when it ends, a table, the failed tests, and `N passed, M failed` as the last line, followed by `, K skipped` when tests were skipped. Exit 0
-if nothing failed. The seed of the random tests is printed; ROSY_TEST_SEED repeats a run. Tests that take turns by day also run while their file
-differs from the last commit that passed all suites here, or from the commit in ROSY_TEST_BASE.
+In: suite names (none: all); `quick [BASE]` for what depends on the changes since BASE (default: the merge base with main) and what is about safety;
+`nightly` for more random cases from a new seed; `names` for the names of all tests. Out: the output of each suite in one block when it
+ends, a table, the failed and the skipped tests with their reasons, and `N passed, M failed, K skipped` as the last line. Exit 0 if nothing failed.
+The same commit runs the same tests on each day and machine.
 """
 
 from __future__ import annotations
@@ -15,31 +15,15 @@ import time
 from collections.abc import Sequence
 from pathlib import Path
 
-from testing.changes import changed_since, record_commit, recorded_commit
 from testing.counts import Count
 from testing.failures import failed_tests
+from testing.names import listed_tests
+from testing.quick import changed_since, choose, merge_base
 from testing.scheduler import Result, run_all
 from testing.suites import suites
-from tracked_files import haskell_sources
 
 ROOT = Path(__file__).resolve().parent.parent
 STATE = ROOT / ".rosy"
-PASSED = STATE / "checked" / "commit"
-"""The commit of the last run of all suites that passed."""
-TAKING_TURNS = (
-    "docs/",
-    "rosy",
-    "scripts/",
-    "e2e-tests/",
-    "examples/",
-    "sim-service/",
-    "codegen/src/",
-    "codegen/test/",
-    "editor/src/",
-    "editor/test/",
-)
-"""Folders of the tests that take turns by day; Haskell sources do as well (`testing/changed_files.py`). The list of all that has
-changed can be longer than an environment variable may be."""
 
 
 class Screen:
@@ -70,17 +54,11 @@ class Screen:
         sys.stdout.flush()
 
 
-def environment(arguments: Sequence[str]) -> dict[str, str]:
-    """Environment of the suites. Random tests read ROSY_TEST_SEED and ROSY_TEST_SHARE (0.1: a tenth of the cases), tests that take turns ROSY_TEST_CHANGED."""
-    nightly = "nightly" in arguments
-    # The seed changes daily, so that a failure repeats until it is fixed and is the same on every machine; nightly runs draw a new one each time.
-    seed = int(time.time()) if nightly else int(time.time()) // 86400
-    haskell = set(haskell_sources(ROOT))
-    base = os.environ.get("ROSY_TEST_BASE") or recorded_commit(PASSED)
+def environment(nightly: bool) -> dict[str, str]:
+    """Environment of the suites. Random tests have seed 1 by themselves; nightly ones draw more cases from the seed that stands here."""
+    more = {"ROSY_TEST_NIGHTLY": "1", "ROSY_TEST_SEED": str(int(time.time()) % 2**31)} if nightly else {}
     return {
-        "ROSY_TEST_SEED": str(seed % 2**31),
-        "ROSY_TEST_SHARE": "1" if nightly else "0.1",
-        "ROSY_TEST_CHANGED": "\n".join(path for path in changed_since(ROOT, base) if path.startswith(TAKING_TURNS) or path in haskell),
+        **more,
         **os.environ,
         # Empty is off. Hundreds of tests start `rosy_sim`: with its compiled modules in `__pycache__` that takes half of the time.
         "PYTHONDONTWRITEBYTECODE": "",
@@ -106,17 +84,41 @@ def failures(results: Sequence[Result]) -> list[str]:
     return ["\n  Failed:", *lines] if lines else []
 
 
+def skips(results: Sequence[Result]) -> list[str]:
+    """Each skipped test with its reason; a suite that gives none says how many."""
+    lines: list[str] = []
+    for result in results:
+        if result.count.skipped:
+            reasons = result.count.reasons or (f"{result.count.skipped} tests, without a reason",)
+            lines += [f"  {result.suite.name}: {reason}" for reason in reasons]
+    return ["\n  Skipped:", *lines] if lines else []
+
+
 def main() -> int:
-    known = suites(ROOT, STATE / "reports", "nightly" in sys.argv[1:])
+    words = sys.argv[1:]
+    mode = words.pop(0) if words[:1] in (["quick"], ["nightly"], ["names"]) else ""
+    known = suites(STATE / "reports", mode == "nightly")
     names = [suite.name for suite in known]
-    wanted = [name for name in sys.argv[1:] if name != "nightly"] or names
-    unknown = sorted(set(wanted) - set(names))
+    left_out: Sequence[str] = ()
+    if mode == "names":
+        print("\n".join(listed_tests(ROOT, known)))
+        return 0
+    if mode == "quick":
+        base = words[0] if words else merge_base(ROOT)
+        try:
+            changed = changed_since(ROOT, base)
+        except ValueError:
+            print(f"rosy test: git knows no commit '{base}'. `git log` lists them.", file=sys.stderr)
+            return 1
+        known, left_out = (choice := choose(known, ROOT, changed)).suites, choice.left_out
+        words = []
+    unknown = sorted(set(words) - set(names))
     if unknown:
         print(f"rosy test: no suite is called {', '.join(unknown)}. There are: {', '.join(names)}.", file=sys.stderr)
         return 1
     logs = STATE / "log"
     logs.mkdir(parents=True, exist_ok=True)
-    env = environment(sys.argv[1:])
+    env = environment(mode == "nightly")
     screen = Screen()
     results: list[Result] = []
 
@@ -127,20 +129,22 @@ def main() -> int:
     began = time.monotonic()
     cores = int(env.get("ROSY_TEST_CORES", len(os.sched_getaffinity(0))))
     try:
-        run_all([s for s in known if s.name in wanted], cores, ROOT, logs, env, screen.progress, ended)
+        run_all([s for s in known if not words or s.name in words], cores, ROOT, logs, env, screen.progress, ended)
     except KeyboardInterrupt:
         return 130
+    results.sort(key=lambda r: names.index(r.suite.name))
     print()
-    for result in sorted(results, key=lambda r: names.index(r.suite.name)):
+    for result in results:
         print(row(result))
-    for line in failures(results):
+    for line in [*failures(results), *skips(results)]:
         print(line)
     minutes, computing = (time.monotonic() - began) / 60, sum(result.computing for result in results) / 60
     print(f"\n  {minutes:.1f} minutes on {cores} cores, {computing:.1f} minutes of computing")
-    print(f"  Seed of the random tests: ROSY_TEST_SEED={env['ROSY_TEST_SEED']}")
+    if mode == "nightly":
+        print(f"  Seed of the random tests: ROSY_TEST_SEED={env['ROSY_TEST_SEED']}")
+    if left_out:
+        print("\n  Not complete. Left out, for `./rosy test` runs it:", *(f"    {line}" for line in left_out), sep="\n")
     total = sum((result.count for result in results), Count(0, 0))
-    if not total.failed and len(results) == len(known):
-        record_commit(ROOT, PASSED)
     print(f"\n{total}")
     return 1 if total.failed else 0
 

@@ -57,6 +57,10 @@ export async function unreadableByGhc(programs: readonly ForeignProgram[]): Prom
   return unreadable
 }
 
+export function hasGhc(): boolean {
+  return installedModules() !== undefined
+}
+
 function installedModules(): ReadonlySet<string> | undefined {
   try {
     const told = execFileSync("ghc-pkg", ["--global", "--simple-output", "field", "*", "exposed-modules"], {

@@ -5,7 +5,7 @@ import type {BlockProblem} from "../src/api.ts"
 import type {Cause, Reader} from "../src/reader/index.ts"
 import {causeOf, layoutOf, openView, syncBlocks, workspaceOf} from "../src/reader/index.ts"
 import {tokens} from "../src/source/lexer.ts"
-import {everyBlock, infer} from "../src/workspace/workspace_inference.ts"
+import {everyBlock, infer} from "../src/workspace/inference/workspace_inference.ts"
 
 /// Text that stays text for one cause.
 export interface RawText {

@@ -4,7 +4,7 @@ import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import type {Place, SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, checker, infer, openProject, parseProject, session, toHaskell} from "../src/index.ts"
-import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {everyBlock} from "../src/workspace/inference/workspace_inference.ts"
 
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 

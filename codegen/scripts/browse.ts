@@ -1,4 +1,4 @@
-/// Turns what GHCi says of modules and classes into the lines that `src/types/environment.ts` reads.
+/// Turns what GHCi says of modules and classes into the lines that `src/types/environment/environment.ts` reads.
 ///
 /// Pure: text in, text out. A name that GHCi writes with its module is not in scope for a learner: such constructors and
 /// methods are left out. Types beyond Haskell 2010 (higher rank) are left out too; GHC alone judges those.

@@ -1,4 +1,4 @@
-/// Writes `src/types/environment.generated.ts` and `modules.generated.ts` from the built library: `npm run environment -w codegen`.
+/// Writes `src/types/environment/environment.generated.ts` and `modules.generated.ts` from the built library: `npm run environment -w codegen`.
 
 import {writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
@@ -10,7 +10,7 @@ if (database === undefined) {
   process.exitCode = 1
 } else {
   const write = (name: string, text: string) => {
-    const path = fileURLToPath(new URL(`../src/types/${name}.generated.ts`, import.meta.url))
+    const path = fileURLToPath(new URL(`../src/types/environment/${name}.generated.ts`, import.meta.url))
     writeFileSync(path, `/// Made by scripts/environment.ts from GHC; not edited by hand.\n\n${text}\n`)
   }
   const environment = environmentFromGhc(database).split("\n")

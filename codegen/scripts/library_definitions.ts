@@ -6,7 +6,7 @@
 
 import {openView, type Reader} from "../src/reader/index.ts"
 import type {SavedBlock, SavedInput} from "../src/serialized_blocks.ts"
-import {library} from "../src/types/standard_library.ts"
+import {library} from "../src/types/environment/standard_library.ts"
 import type {LibraryDefinition} from "../src/workspace/library_definitions.ts"
 
 export const motionSource = new URL("../../rosy-hs/src/Rosy/Motion.hs", import.meta.url)

@@ -25,8 +25,11 @@ export interface ConflictNames {
   readonly loser: string
 }
 
-/// Whether a block may go somewhere; if not, why, as one sentence for the learner.
-export type Verdict = {readonly fits: true} | {readonly fits: false; readonly why: string}
+/// Whether a block may go somewhere; if not, why, as one sentence for the learner. `doubt` is a sentence that says why only GHC knows whether a block
+/// that the blocks accept compiles there.
+export type Verdict =
+  | {readonly fits: true; readonly doubt?: string | undefined}
+  | {readonly fits: false; readonly why: string}
 
 /// The block that refers to a definition at some place, or, with `holds`, that holds a step in its stack of that name; if none may go there, why, as
 /// one sentence for the learner.
@@ -93,6 +96,15 @@ export interface Session {
   /// What a definition leaves behind when it is dropped on a socket, and what holds a step there: `definition` is one of the workspace's, or a
   /// new one with a name that nothing else has.
   referenceTo(workspace: SavedWorkspace, place: Place, definition: SavedBlock | BlockId): Reference
+  /// Whether a definition that `simulate` runs overrides a reaction or a task, or is one that is overridden.
+  overriddenReaction(workspace: SavedWorkspace, definition: BlockId): OverriddenReaction | undefined
+}
+
+/// A reaction or a task, the function or task whose commands would replace its own, and the block without both that lets the first go before the second.
+export interface OverriddenReaction {
+  readonly reaction: string
+  readonly driver: string
+  readonly priority: SavedBlock
 }
 
 export type Level = "tasks" | "reactions" | "haskell"
@@ -108,6 +120,8 @@ export interface ToolboxItem {
   readonly label: string
   /// More words that find it.
   readonly also?: string
+  /// Other names of the thing that it commands: who searches for one wants this item first.
+  readonly names?: string
   readonly block: SavedBlock
 }
 

@@ -5,21 +5,20 @@
 
 import {readFileSync} from "node:fs"
 import {basename} from "node:path"
-import {createInterface} from "node:readline"
 import {replaceFile} from "./atomic_file.ts"
 import type {Outcome} from "./commands.ts"
-import {commands, toBlocks} from "./commands.ts"
+import {argumentsOf, commands, toBlocks} from "./commands.ts"
 import {openReader, type Reader} from "./reader/index.ts"
 import {speakAsTerminal} from "./terminal_language.ts"
 import {neutralize} from "./terminal_text.ts"
-import {answerLine, greeting} from "./text_service.ts"
+import {answerLine, greeting, linesOf} from "./text_service.ts"
 import {words} from "./words/index.ts"
 
 speakAsTerminal(process.env)
 const [command = "", ...args] = process.argv.slice(2)
 if (command === "text-service") await serveText()
 const outcome =
-  command === "to-blocks" ? await blocks(args) : commands(command, args, path => readFileSync(path, "utf8"))
+  command === "to-blocks" ? await blocks(args) : commands(command, args, path => readFileSync(path))
 process.stdout.on("error", failure => {
   // A reader that has left is told nothing.
   if ((failure as NodeJS.ErrnoException).code !== "EPIPE")
@@ -35,8 +34,7 @@ process.exitCode = outcome.status
 async function serveText(): Promise<never> {
   const reader = await parser()
   process.stdout.write(`${greeting()}\n`)
-  for await (const line of createInterface({input: process.stdin}))
-    process.stdout.write(`${answerLine(reader, line)}\n`)
+  for await (const line of linesOf(process.stdin)) process.stdout.write(`${answerLine(reader, line)}\n`)
   process.exit(0)
 }
 
@@ -46,19 +44,17 @@ function parser(): Promise<Reader> {
 }
 
 async function blocks(given: readonly string[]): Promise<Outcome> {
-  const at = given.indexOf("-o")
-  const to = at === -1 ? undefined : given[at + 1]
-  const [path, ...others] = at === -1 ? given : given.filter((_, i) => i !== at && i !== at + 1)
-  if (path === undefined || others.length > 0 || (at !== -1 && to === undefined))
-    return {out: "", err: words.commandLine.usage, status: 2}
+  const understood = argumentsOf(given)
+  if (understood === undefined) return {out: "", err: words.commandLine.usage, status: 2}
+  const {path, to, readsOlder} = understood
   let bytes: Uint8Array
   try {
     bytes = readFileSync(path)
   } catch {
     return {out: "", err: words.commandLine.cannotRead(path), status: 1}
   }
-  const made = toBlocks(basename(path).replace(/\.hs$/, ""), bytes, await parser())
-  if (to === undefined) return made
+  const made = toBlocks(basename(path), bytes, await parser(), readsOlder)
+  if (to === undefined || made.status !== 0) return made
   try {
     replaceFile(to, made.out)
   } catch (failure) {

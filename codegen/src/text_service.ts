@@ -2,10 +2,23 @@
 ///
 /// In: one request, as a line of JSON. Out: its answer, as a line of JSON. Never: reads files, keeps state between requests.
 
-import {formatted, placesToRename, type Reader, renameContext} from "./reader/index.ts"
+import {
+  formatted,
+  openView,
+  placesToRename,
+  type Reader,
+  renameContext,
+  spansOf,
+  type View,
+  workspaceOf,
+} from "./reader/index.ts"
 import {callAt, inputsOf} from "./source/call_at_cursor.ts"
 import {type Token, tokens} from "./source/lexer.ts"
-import {type KnownName, knownNames} from "./workspace/name_catalog.ts"
+import {spanOf} from "./workspace/inference/code_generation.ts"
+import {conflictProblems} from "./workspace/inference/command_conflicts.ts"
+import {conflictFix} from "./workspace/inference/conflict_resolutions.ts"
+import {type KnownName, knownNames} from "./workspace/inference/name_catalog.ts"
+import {inferWorkspace} from "./workspace/inference/workspace_inference.ts"
 
 /// 1-based; columns count characters.
 interface Place {
@@ -19,12 +32,18 @@ interface Edit {
   readonly text: string
 }
 
-type Request = {readonly id: number; readonly source: string} & (
-  | ({readonly op: "cursor"} & Place)
-  | ({readonly op: "rename"; readonly name: string} & Place)
-  | ({readonly op: "signature"; readonly declared: readonly Declared[]} & Place)
-  | {readonly op: "format"}
-)
+/// Of a question and of its answer: its number, and the version of the document that it is about.
+interface Exchange {
+  readonly id: number
+  readonly version: number | null
+}
+
+type Request = Exchange & {readonly source: string} & (
+    | ({readonly op: "cursor"} & Place)
+    | ({readonly op: "rename"; readonly name: string} & Place)
+    | ({readonly op: "signature"; readonly declared: readonly Declared[]} & Place)
+    | {readonly op: "format" | "conflicts"}
+  )
 
 interface Declared {
   readonly name: string
@@ -45,12 +64,25 @@ interface Signature {
   readonly argument: number
 }
 
+/// protocol/README.md §1.
+interface Problem {
+  readonly severity: "error" | "warning"
+  readonly kind: string
+  readonly message: string
+  readonly hint: string
+  readonly ghc: ""
+  readonly start?: Place
+  readonly end?: Place
+  readonly fixes?: readonly {readonly title: string; readonly edits: readonly Edit[]}[]
+}
+
 type Answer =
-  | {readonly op: "cursor"; readonly id: number; readonly token: NamedToken | null}
-  | {readonly op: "renamed"; readonly id: number; readonly edits: readonly Edit[]; readonly why: string}
-  | {readonly op: "signature"; readonly id: number; readonly signature: Signature | null}
-  | {readonly op: "formatted"; readonly id: number; readonly text: string; readonly left: number}
-  | {readonly op: "failed"; readonly id: number; readonly message: string}
+  | {readonly op: "cursor"; readonly token: NamedToken | null}
+  | {readonly op: "renamed"; readonly edits: readonly Edit[]; readonly why: string}
+  | {readonly op: "signature"; readonly signature: Signature | null}
+  | {readonly op: "formatted"; readonly text: string; readonly left: number}
+  | {readonly op: "conflicts"; readonly problems: readonly Problem[]}
+  | {readonly op: "failed"; readonly message: string}
 
 /// The first line of the service: every name of Rosy and the Prelude.
 export function greeting(): string {
@@ -62,32 +94,99 @@ export function greeting(): string {
 
 /// The answer to a line. A failure of one request does not end the service.
 export function answerLine(reader: Reader, line: string): string {
-  let id = 0
+  let about: Exchange = {id: 0, version: null}
   try {
     const request = JSON.parse(line) as Request
-    id = request.id
-    return JSON.stringify(answer(reader, request))
+    about = {id: request.id, version: request.version}
+    return JSON.stringify({...answer(reader, request), ...about})
   } catch (failure) {
-    return JSON.stringify({op: "failed", id, message: String(failure)} satisfies Answer)
+    return JSON.stringify({op: "failed", message: String(failure), ...about} satisfies Answer & Exchange)
   }
 }
 
+/// The lines of a stream of bytes. Only the byte of `\n` ends a line: Node's `readline` also ends one at U+2028 and U+2029, which JSON leaves as they are.
+export async function* linesOf(stream: AsyncIterable<Uint8Array>): AsyncGenerator<string> {
+  let rest: Uint8Array[] = []
+  for await (const chunk of stream) {
+    let start = 0
+    for (let end = chunk.indexOf(newline); end >= 0; end = chunk.indexOf(newline, start)) {
+      yield utf8.decode(joined([...rest, chunk.subarray(start, end)]))
+      rest = []
+      start = end + 1
+    }
+    if (start < chunk.length) rest.push(chunk.subarray(start))
+  }
+  if (rest.length > 0) yield utf8.decode(joined(rest))
+}
+
+const newline = 0x0a
+const utf8 = new TextDecoder()
+
+function joined(parts: readonly Uint8Array[]): Uint8Array {
+  const whole = new Uint8Array(parts.reduce((length, part) => length + part.length, 0))
+  let at = 0
+  for (const part of parts) {
+    whole.set(part, at)
+    at += part.length
+  }
+  return whole
+}
+
 function answer(reader: Reader, request: Request): Answer {
-  const {id, op, source} = request
+  const {op, source} = request
   switch (op) {
     case "cursor":
-      return {op, id, token: tokenAt(source, offsetOf(source, request))}
+      return {op, token: tokenAt(source, offsetOf(source, request))}
     case "rename":
-      return {op: "renamed", id, ...renamed(reader, source, offsetOf(source, request), request.name)}
+      return {op: "renamed", ...renamed(reader, source, offsetOf(source, request), request.name)}
     case "signature": {
       const before = source.slice(0, offsetOf(source, request))
-      return {op, id, signature: signatureAt(before, request.declared)}
+      return {op, signature: signatureAt(before, request.declared)}
     }
     case "format":
-      return {op: "formatted", id, ...formatted(reader, source)}
+      return {op: "formatted", ...formatted(reader, source)}
+    case "conflicts":
+      return {op, problems: conflictsIn(reader, source)}
     default:
-      return {op: "failed", id, message: `There is no operation ${String(op)}.`}
+      return {op: "failed", message: `There is no operation ${String(op)}.`}
   }
+}
+
+/// Functions that set the same actuator and override each other, as warnings with their way out. The page shows one on both blocks; here it is one problem, at the
+/// function that wins.
+function conflictsIn(reader: Reader, source: string): Problem[] {
+  const view = openView(reader, source)
+  const workspace = workspaceOf(view)
+  return conflictProblems(inferWorkspace(workspace)).flatMap(({conflict, block, ...found}, i, all) => {
+    if (conflict === undefined || all.findIndex(other => other.conflict === conflict) !== i) return []
+    const {severity, kind, message, hint} = found
+    const span = block === undefined ? undefined : nameSpan(view, block, conflict.winner)
+    const main = view.declarations.find(({name}) => name === "main")
+    const piece = main === undefined ? undefined : view.module.pieces[main.piece]?.core
+    const fix = piece === undefined ? undefined : conflictFix(workspace, conflict, source, piece)
+    return {
+      ...{severity, kind, message, hint, ghc: ""},
+      ...(span === undefined ? {} : {start: placeOf(source, span.start), end: placeOf(source, span.end)}),
+      ...(fix === undefined
+        ? {}
+        : {
+            fixes: [
+              {
+                title: fix.title,
+                edits: [{start: placeOf(source, fix.start), end: placeOf(source, fix.end), text: fix.text}],
+              },
+            ],
+          }),
+    }
+  })
+}
+
+/// The place of a block in the text; of a definition, its name where it is defined.
+function nameSpan(view: View, block: string, name: string) {
+  const span = spanOf(spansOf(view), block)
+  return span !== undefined && view.text.startsWith(name, span.start)
+    ? {start: span.start, end: span.start + name.length}
+    : span
 }
 
 /// The token that an offset is in or right behind; of two that touch there, a name before an operator.

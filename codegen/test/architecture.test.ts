@@ -4,7 +4,7 @@ import {readdirSync, readFileSync} from "node:fs"
 import {dirname, join, relative} from "node:path"
 import {fileURLToPath} from "node:url"
 import {expect, it} from "vitest"
-import {stronglyConnectedComponents} from "../src/types/strongly_connected_components.ts"
+import {stronglyConnectedComponents} from "../src/types/syntax/strongly_connected_components.ts"
 
 const src = fileURLToPath(new URL("../src", import.meta.url))
 const files = readdirSync(src, {recursive: true, encoding: "utf8"})
@@ -25,14 +25,23 @@ const layers = [
   "model",
   "source",
   "haskell",
+  "types/syntax",
+  "types/environment",
   "types",
+  "blocks/spec",
+  "blocks/families",
   "blocks",
+  "workspace/toolbox",
+  "workspace/inference",
+  "workspace/moves",
+  "workspace/renaming",
   "workspace",
   "reader/conversion",
   "reader/module",
   "reader/printing",
   "reader/view",
   "reader",
+  "network_edits",
 ]
 const sharedTypes = ["api.ts", "serialized_blocks.ts", "block_shape.ts"]
 
@@ -70,4 +79,10 @@ it("no file imports itself by way of others, not even for a type", () => {
     .filter(group => group.length > 1 || group.some(i => edges[i]?.includes(i)))
     .map(group => group.map(i => files[i]))
   expect(cycles).toEqual([])
+})
+
+it("no folder has more than sixteen modules", () => {
+  const sizes = new Map<string, number>()
+  for (const file of files) sizes.set(dirname(file), (sizes.get(dirname(file)) ?? 0) + 1)
+  expect([...sizes].filter(([, size]) => size > 16)).toEqual([])
 })

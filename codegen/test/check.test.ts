@@ -17,7 +17,7 @@ import {
   toHaskell,
   toolbox,
 } from "../src/index.ts"
-import {everyBlockIn} from "../src/workspace/workspace_inference.ts"
+import {everyBlockIn} from "../src/workspace/inference/workspace_inference.ts"
 
 function example(name: string): SavedWorkspace {
   const outcome = parseProject(

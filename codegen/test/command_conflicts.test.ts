@@ -3,8 +3,8 @@
 import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {beforeAll, describe, expect, test} from "vitest"
 import {
-  type ConflictResolution,
-  conflictResolutions,
+  type ConflictNames,
+  conflictFix,
   conflictShown,
   infer,
   newProject,
@@ -12,8 +12,10 @@ import {
   parseProject,
 } from "../src/index.ts"
 import {openView, type Reader, workspaceOf} from "../src/reader/index.ts"
-import {commandConflicts} from "../src/workspace/command_conflicts.ts"
-import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
+import {events, heldCommands, states} from "../src/robot/roles.ts"
+import {words} from "../src/words/index.ts"
+import {commandConflicts, conflictProblems} from "../src/workspace/inference/command_conflicts.ts"
+import {inferWorkspace} from "../src/workspace/inference/workspace_inference.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
 const examples = new URL("../../examples/", import.meta.url)
@@ -213,6 +215,36 @@ const peaceful = [
   "steer hum shout",
 ] as const
 
+/// A function of a state runs with each odometry message, a constant at each tick, whatever the state is (rules R2 and R3).
+test.each([...states])("a function of %s keeps winning over a constant", state => {
+  const text = `drive :: Velocity\ndrive = Velocity 0.2 0\n\nsteady :: ${state} -> Velocity\nsteady _ = Velocity 0.1 0`
+  for (const pair of ["(drive, steady)", "(steady, drive)"])
+    expect(conflictsOf(`${text}\n\nmain :: IO ()\nmain = simulate ${pair}\n`)).toEqual([
+      "steady > drive Velocity",
+    ])
+})
+
+test.each([...events])("a function of the event %s loses to a constant", event => {
+  const text = `drive :: Velocity\ndrive = Velocity 0.2 0\n\nsteady :: ${event} -> Velocity\nsteady _ = Velocity 0.1 0`
+  expect(conflictsOf(`${text}\n\nmain :: IO ()\nmain = simulate (drive, steady)\n`)).toEqual([
+    "drive > steady Velocity",
+  ])
+})
+
+test.each([...heldCommands])(
+  "two functions of %s conflict, and the sentence names what they set",
+  command => {
+    const sends = (name: string) => `${name} :: Clock -> ${command}\n${name} clock = ${name} clock`
+    const program = `${sends("one")}\n\n${sends("two")}\n\nmain :: IO ()\nmain = simulate (one, two)\n`
+    const inferred = inferWorkspace(workspaceOf(openView(reader, program)))
+    expect(conflictProblems(inferred).map(problem => problem.message)).toEqual(
+      Array.from({length: 2}, () =>
+        words.conflicts.bothSet("one", "two", words.actuators[command as "Velocity"]),
+      ),
+    )
+  },
+)
+
 test("the table is as large as it says", () => {
   expect(conflicting.length).toBeGreaterThanOrEqual(40)
   expect(peaceful.length).toBeGreaterThanOrEqual(60)
@@ -254,97 +286,56 @@ test("an empty program and one that is not finished have no conflict", () => {
   ).toEqual([])
 })
 
-/// The program after a way out, as the page rewrites it.
-function resolved(text: string, way: ConflictResolution): string {
-  const at = /^main\b/m.exec(text)?.index ?? 0
-  const [, before = "", argument = ""] = /^([\s\S]*simulate )([\s\S]*?)\n?$/.exec(text.slice(at)) ?? []
-  return `${text.slice(0, at)}${way.definitions}\n\n${before}${way.rewrite(argument)}\n`
+/// The program after the way out, as the page rewrites it.
+function resolved(text: string, names: ConflictNames): string {
+  const fix = fixOf(text, names)
+  return fix === undefined ? "" : `${text.slice(0, fix.start)}${fix.text}${text.slice(fix.end)}`
 }
 
-/// Programs in which one of the functions sends more than the command.
-const withoutWaysOut = new Set(["drive both", "shine bumpLamp", "glow list"])
+const fixOf = (text: string, names: ConflictNames) =>
+  conflictFix(workspaceOf(openView(reader, text)), names, text, {
+    start: text.indexOf("main ::"),
+    end: text.length,
+  })
 
-describe("ways out", () => {
-  const kinds = new Map<string, number>()
+const lastLine = (text: string) => text.trimEnd().slice(text.trimEnd().lastIndexOf("\n") + 1)
+
+describe("the way out", () => {
   test.each(conflicting)("of %s", run => {
     const workspace = workspaceOf(openView(reader, program(run)))
     const names = infer(workspace).problems.find(p => p.kind === "conflict")?.conflict
     if (names === undefined) throw new Error("expected a conflict")
-    const ways = conflictResolutions(workspace, names)
-    expect(ways.length > 0).toBe(!withoutWaysOut.has(run))
-    for (const way of ways) {
-      kinds.set(way.kind, (kinds.get(way.kind) ?? 0) + 1)
-      const text = resolved(program(run), way)
-      expect(infer(workspaceOf(openView(reader, text))).problems, text).toEqual([])
-    }
+    const text = resolved(program(run), names)
+    expect(lastLine(text)).toContain(`priority 1 ${names.loser} ${names.winner}`)
+    expect(infer(workspaceOf(openView(reader, text))).problems, text).toEqual([])
   })
 
-  test("each way applies to many of them", () => {
-    for (const kind of ["memory", "either", "mux"]) expect(kinds.get(kind) ?? 0, kind).toBeGreaterThan(10)
+  test.each([
+    ["(drive, backOff)", "(priority 1 backOff drive)"],
+    ["(backOff, beepOn, drive)", "(beepOn, priority 1 backOff drive)"],
+    ["((drive, beepOn), backOff)", "(priority 1 backOff (drive, beepOn))"],
+    ["((beepOn, drive), (hum, backOff))", "(priority 1 (hum, backOff) (beepOn, drive))"],
+    ["(beepOn, (drive, backOff))", "(beepOn, (priority 1 backOff drive))"],
+    ["(drive, priority 2 backOff button)", "(priority 1 (priority 2 backOff button) drive)"],
+  ])("in simulate %s", (before, after) => {
+    const text = (what: string) =>
+      `${["drive", "backOff", "beepOn", "hum", "button"].map(name => definitions[name]).join("\n\n")}\n\nmain :: IO ()\nmain = simulate ${what}\n`
+    const names = {command: "Velocity", winner: "drive", loser: "backOff"}
+    const found = resolved(text(before), names)
+    expect(lastLine(found)).toBe(`main = simulate ${after}`)
+    expect(infer(workspaceOf(openView(reader, found))).problems).toEqual([])
   })
 
-  test("read like programs of the paper", () => {
-    const text = program("drive backOff beepOn")
-    const ways = conflictResolutions(workspaceOf(openView(reader, text)), {
-      command: "Velocity",
-      winner: "drive",
-      loser: "backOff",
-    })
-    const from = (way: ConflictResolution) => {
-      const after = resolved(text, way)
-      return `${way.definitions}\n\n${after.slice(after.indexOf("main ::"))}`
-    }
-    expect(ways.map(from).join("\n----\n")).toMatchInlineSnapshot(`
-      "rememberBackOff :: Bumper -> Memory (Maybe Velocity)
-      rememberBackOff bumper = Memory (backOff bumper)
-
-      driveUnlessBackOff :: Memory (Maybe Velocity) -> Velocity
-      driveUnlessBackOff (Memory (Just answer)) = answer
-      driveUnlessBackOff (Memory Nothing) = drive
-
-      main :: IO ()
-      main = simulate (driveUnlessBackOff, rememberBackOff, beepOn)
-
-      ----
-      driveOrBackOff :: Either Bumper () -> Memory (Maybe Velocity) -> (Velocity, Memory (Maybe Velocity))
-      driveOrBackOff (Left bumper) _ = (maybe drive id answer, Memory answer)
-        where
-          answer = backOff bumper
-      driveOrBackOff (Right ()) (Memory answer) = (maybe drive id answer, Memory answer)
-
-      main :: IO ()
-      main = simulate (driveOrBackOff, beepOn)
-
-      ----
-      data Important = Important Velocity
-
-      data Usual = Usual Velocity
-
-      data Until = Until Seconds
-
-      backOffFirst :: Bumper -> Maybe Important
-      backOffFirst bumper = fmap Important (backOff bumper)
-
-      driveSecond :: Usual
-      driveSecond = Usual drive
-
-      mux :: Either Important Usual -> Seconds -> Memory Until -> Maybe (Velocity, Memory Until)
-      mux (Left (Important velocity)) now _ = Just (velocity, Memory (Until (now + 1)))
-      mux (Right (Usual velocity)) now (Memory (Until end))
-        | now > end = Just (velocity, Memory (Until end))
-        | otherwise = Nothing
-
-      main :: IO ()
-      main = simulate (driveSecond, mux, backOffFirst, beepOn)
-      "
-    `)
-  })
-
-  test("need both functions, and a conflict", () => {
+  test("needs both functions, and a conflict", () => {
     const names = {command: "Velocity", winner: "drive", loser: "nothing"}
     const workspace = workspaceOf(openView(reader, program("drive backOff")))
-    expect(conflictResolutions(workspace, names)).toEqual([])
+    expect(fixOf(program("drive backOff"), names)).toBeUndefined()
     expect(conflictShown(workspace, names)).toEqual([])
+  })
+
+  test("is none for functions that share a side", () => {
+    const text = `${program("drive backOff stopAtHole").replace(/simulate .*/, "simulate (priority 1 stopAtHole (drive, backOff))")}`
+    expect(conflictsOf(text)).toEqual(["drive > backOff Velocity"])
   })
 })
 

@@ -8,7 +8,12 @@ import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {checker, plug} from "../src/index.ts"
 import type {Program} from "../src/model/syntax_tree.ts"
 import type {Place} from "../src/serialized_blocks.ts"
-import {everyBlock, everyBlockIn, inferWorkspace, problemsOf} from "../src/workspace/workspace_inference.ts"
+import {
+  everyBlock,
+  everyBlockIn,
+  inferWorkspace,
+  problemsOf,
+} from "../src/workspace/inference/workspace_inference.ts"
 import {Maker} from "./generate/blocks.ts"
 import {proposePattern} from "./generate/patterns.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"

@@ -3,9 +3,9 @@
 import {describe, expect, test} from "vitest"
 import {browsed, instancesOf} from "../scripts/browse.ts"
 import {environmentFromGhc, packageDatabase} from "../scripts/ghc.ts"
-import {generated} from "../src/types/environment.generated.ts"
-import {library} from "../src/types/standard_library.ts"
-import {showScheme} from "../src/types/type.ts"
+import {generated} from "../src/types/environment/environment.generated.ts"
+import {library} from "../src/types/environment/standard_library.ts"
+import {showScheme} from "../src/types/syntax/type.ts"
 
 const database = packageDatabase()
 

@@ -1,4 +1,4 @@
-/// The examples' Haskell is what an experienced Haskeller would write: no warning of `-Wall`, no hint of hlint.
+/// The examples' Haskell is what an experienced Haskeller would write: no warning of `-Wall`, no hint of hlint. Each is called like its folder.
 
 import {spawnSync} from "node:child_process"
 import {existsSync, readdirSync, readFileSync} from "node:fs"
@@ -6,7 +6,7 @@ import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
 import {packageDatabase} from "../scripts/ghc.ts"
 import {openProject, parseProject} from "../src/index.ts"
-import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
+import {inferWorkspace} from "../src/workspace/inference/workspace_inference.ts"
 import {compileAll} from "./ghc.ts"
 import {run} from "./process.ts"
 
@@ -14,6 +14,11 @@ const examples = fileURLToPath(new URL("../../examples/", import.meta.url))
 const names = readdirSync(examples).filter(n => existsSync(`${examples}${n}/program.rosy`))
 const database = packageDatabase()
 const hlint = spawnSync("hlint", ["--version"]).status === 0
+
+test.each(names)("the program of the example %s has its name", name => {
+  const outcome = parseProject(readFileSync(`${examples}${name}/program.rosy`, "utf8"))
+  expect(outcome.ok && outcome.project.name).toBe(name)
+})
 
 test.skipIf(database === undefined)("no example has a warning", async () => {
   const candidates = names.map(name => {

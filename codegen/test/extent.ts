@@ -1,31 +1,18 @@
-/// Extent and seed of the random suites.
+/// Number of cases and seed of the random tests of codegen, the page and the stories.
 ///
-/// `./rosy test` runs a tenth of the cases, from a seed that changes daily and is printed; `./rosy test nightly` runs them all.
-/// `ROSY_TEST_SEED=17 ./rosy test codegen` repeats a run.
+/// `./rosy test` draws the same cases for the same commit. `./rosy test nightly` sets ROSY_TEST_NIGHTLY and draws ten times as many from a
+/// new seed, which it prints; `ROSY_TEST_SEED=17 ./rosy test nightly codegen` repeats such a run.
 
-/// The share of all cases that is run: above 0, at most 1.
-export const share = Number(process.env.ROSY_TEST_SHARE ?? 0.1)
+/// Whether random tests draw ten times their ordinary number of cases.
+export const isNightly = process.env["ROSY_TEST_NIGHTLY"] === "1"
 
-/// First seed of this run. Without the test runner it is 1.
-export const seed = Number(process.env.ROSY_TEST_SEED ?? 1)
+/// First seed of the random tests.
+export const seed = Number(process.env["ROSY_TEST_SEED"] ?? 1)
 
-/// Whether all cases are run, so that what they reach together can be asserted.
-export const isFull = share >= 1
-
-/// How many of a number of cases are run; at least one.
-export function cases(all: number): number {
-  return Math.max(1, Math.round(all * share))
-}
-
-/// A share of a table: all rows when all cases are run, else every `parts`-th. Each day's seed takes the next ones, so that every row has its turn.
-export function rotated<Row>(rows: readonly Row[], parts: number): readonly Row[] {
-  return rows.filter((_, i) => hasTurn(i, parts))
-}
-
-/// Whether a row of a table is among those of today.
-export function hasTurn(row: number, parts: number): boolean {
-  return isFull || (row + seed) % parts === 0
+/// How many cases are drawn where an ordinary run draws this many.
+export function cases(ordinary: number): number {
+  return isNightly ? 10 * ordinary : ordinary
 }
 
 /// For a failure's message.
-export const rerun = `repeat with ROSY_TEST_SEED=${seed} ROSY_TEST_SHARE=${share}`
+export const rerun = `repeat with ROSY_TEST_SEED=${seed}${isNightly ? " ROSY_TEST_NIGHTLY=1" : ""}`

@@ -6,7 +6,7 @@ import {join} from "node:path"
 import {withRosy} from "../scripts/ghc.ts"
 import {namesDefinedBy} from "../src/model/bound_names.ts"
 import type {DataDeclaration, Program} from "../src/model/syntax_tree.ts"
-import {library} from "../src/types/standard_library.ts"
+import {library} from "../src/types/environment/standard_library.ts"
 import {run} from "./process.ts"
 
 export interface Candidate {

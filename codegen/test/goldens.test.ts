@@ -9,7 +9,7 @@ import {describe, expect, test} from "vitest"
 import {blockTypes} from "../src/blocks/block_registry.ts"
 import type {SavedWorkspace} from "../src/index.ts"
 import {closeProject, infer, openProject, parseProject, saveProject, toHaskell} from "../src/index.ts"
-import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {everyBlock} from "../src/workspace/inference/workspace_inference.ts"
 
 const programs = fileURLToPath(new URL("programs/", import.meta.url))
 const examples = fileURLToPath(new URL("../../examples/", import.meta.url))

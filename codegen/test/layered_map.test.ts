@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import {LayeredMap} from "../src/workspace/layered_map.ts"
+import {LayeredMap} from "../src/workspace/inference/layered_map.ts"
 
 const layer = fc.array(fc.tuple(fc.constantFrom(..."abcdefgh"), fc.nat())).map(entries => new Map(entries))
 

@@ -9,9 +9,9 @@ import {blockTypes} from "../src/blocks/block_registry.ts"
 import {infer, lookInside, ownDefinition, rename, toHaskell} from "../src/index.ts"
 import {openView, type Reader, workspaceOf} from "../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/serialized_blocks.ts"
-import {generated} from "../src/workspace/library_definitions.generated.ts"
+import {everyBlock, everyBlockIn} from "../src/workspace/inference/workspace_inference.ts"
 import type {LibraryDefinition} from "../src/workspace/library_definitions.ts"
-import {everyBlock, everyBlockIn} from "../src/workspace/workspace_inference.ts"
+import {generated} from "../src/workspace/toolbox/library_definitions.generated.ts"
 import {compileAll} from "./ghc.ts"
 import {testReader} from "./reader/open.ts"
 
@@ -40,6 +40,11 @@ const calls = [
   ["driveUntil", "step_drive_until", "driveUntil (\\(Button _ _) -> Done ())"],
   ["blink", "step_blink", "blink Red"],
   ["beep", "step_beep", "beep"],
+  ["driveBack", "step_drive_back", "driveBack 1"],
+  ["turnBetween", "step_turn_between", "turnBetween (-90) 90"],
+  ["goTo", "step_go_to", "goTo 1 (-0.5)"],
+  ["curveUntilObstacle", "step_curve_until_obstacle", "curveUntilObstacle (-20)"],
+  ["eitherOr", "step_either_or", "eitherOr (turn 90) (turn (-90))"],
 ] as const
 const squared = (call: string) => `main :: IO ()\nmain = simulate $ do\n  ${call}\n  wait 1\n`
 

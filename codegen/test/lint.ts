@@ -6,7 +6,7 @@
 import {mkdtempSync, rmSync, writeFileSync} from "node:fs"
 import {tmpdir} from "node:os"
 import {join} from "node:path"
-import {inferWorkspace} from "../src/workspace/workspace_inference.ts"
+import {inferWorkspace} from "../src/workspace/inference/workspace_inference.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"
@@ -14,7 +14,7 @@ import {breathe, run} from "./process.ts"
 import {batch, candidate} from "./soundness.ts"
 
 /// hlint's rules that ask for another program, by what they find fault with. Each is its author's to follow: other blocks, not the same
-/// ones in better words. Every other hint fails, also an unforeseen one. (DECISIONS.md says why.)
+/// ones in better words. Every other hint fails, also an unforeseen one.
 const aboutContent: {readonly [fault: string]: RegExp} = {
   "what is known is asked or computed":
     /^(?:Evaluate|Short-circuited .*|(?:Take|Drop) on a .*|Using \w+ on tuple|Length always .*|Redundant (?:if|multi-way if|case|True guards|as-pattern|==|\/=|not))$/,

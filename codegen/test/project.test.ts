@@ -99,7 +99,7 @@ describe("a project file", () => {
 })
 
 describe("to-haskell", () => {
-  const run = (text: string) => commands("to-haskell", ["p.rosy"], () => text)
+  const run = (text: string) => commands("to-haskell", ["p.rosy"], () => new TextEncoder().encode(text))
   test("prints the text", () =>
     expect(run(whole)).toEqual({out: "main :: IO ()\nmain = simulate _\n", err: "", status: 0}))
   test("takes the text when blocks say something else", () => {
@@ -121,7 +121,7 @@ describe("to-haskell", () => {
     }
     expect(commands("to-haskell", ["p.rosy"], fail)).toEqual({out: "", err: "Cannot read p.rosy.", status: 1})
   })
-  test("says how it is called", () => expect(commands("help", [], () => "").status).toBe(2))
+  test("says how it is called", () => expect(commands("help", [], () => new Uint8Array()).status).toBe(2))
 })
 
 describe("cutting text into declarations", () => {

@@ -3,7 +3,7 @@
 import {expect, test} from "vitest"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {checker, infer, newWorkspace, referenceTo, toHaskell} from "../src/index.ts"
-import {call, con, make, num, text} from "../src/workspace/block_builders.ts"
+import {call, con, make, num, text} from "../src/workspace/toolbox/block_builders.ts"
 
 const define = (name: string, body: SavedBlock, signature?: string): SavedBlock => ({
   ...make(

@@ -4,7 +4,7 @@ import {expect, test} from "vitest"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {toHaskell} from "../src/index.ts"
 import {openView, workspaceOf} from "../src/reader/index.ts"
-import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {everyBlock} from "../src/workspace/inference/workspace_inference.ts"
 import {generateProgram} from "./generate/program.ts"
 import {testReader} from "./reader/open.ts"
 

@@ -6,14 +6,14 @@ import type {Place, SavedBlock, SavedWorkspace, Session} from "../src/index.ts"
 import {blockView, checker, infer, session} from "../src/index.ts"
 import type {Reader} from "../src/reader/index.ts"
 import {openView, syncText, workspaceOf} from "../src/reader/index.ts"
-import {everyBlock} from "../src/workspace/workspace_inference.ts"
+import {everyBlock} from "../src/workspace/inference/workspace_inference.ts"
 import {cases, seed} from "./extent.ts"
 import {breathe} from "./process.ts"
 import {mutate, mutations} from "./reader/mutations.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
 // `RUNS=1000 npx vitest run test/session.test.ts` takes more programs.
-const runs = Number(process.env.RUNS ?? cases(100))
+const runs = Number(process.env.RUNS ?? cases(10))
 const edits = 25
 
 let reader: Reader

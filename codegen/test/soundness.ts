@@ -2,7 +2,7 @@
 
 import type {SavedWorkspace} from "../src/index.ts"
 import {toHaskell} from "../src/index.ts"
-import {everyBlock, inferWorkspace} from "../src/workspace/workspace_inference.ts"
+import {everyBlock, inferWorkspace} from "../src/workspace/inference/workspace_inference.ts"
 import {generateProgram, sizeOf} from "./generate/program.ts"
 import type {Candidate} from "./ghc.ts"
 import {compileAll} from "./ghc.ts"

@@ -2,7 +2,7 @@
 
 import {beforeAll, describe, expect, it} from "vitest"
 import {formatted, type Reader} from "../src/reader/index.ts"
-import {answerLine, greeting} from "../src/text_service.ts"
+import {answerLine, greeting, linesOf} from "../src/text_service.ts"
 import {corpus, testReader} from "./reader/open.ts"
 
 let reader: Reader
@@ -114,5 +114,80 @@ describe("a request that is wrong", () => {
       expect(JSON.parse(answerLine(reader, line)).op).toBe("failed")
       expect(ask({op: "format", source: "a  = 1\n"}).text).toBe("a = 1\n")
     },
+  )
+})
+
+describe("an exchange", () => {
+  it("has the id and the version of its question in every answer", () => {
+    for (const op of ["cursor", "rename", "signature", "format", "dance"]) {
+      const question = {
+        op,
+        id: 12,
+        version: 34,
+        source: "a = 1\n",
+        line: 1,
+        column: 1,
+        name: "b",
+        declared: [],
+      }
+      expect(JSON.parse(answerLine(reader, JSON.stringify(question)))).toMatchObject({id: 12, version: 34})
+    }
+  })
+})
+
+describe("lines of a stream", () => {
+  // Each of these ends a line for some reader of lines.
+  const lines = ["a\u2028b", "\u2029", "c\u0085d", "e\vf\fg", "h\x1ci", "𝄞é", "", "j\rk"]
+  const bytes = new TextEncoder().encode(lines.map(line => `${line}\n`).join(""))
+  const chunks = async function* (sizes: readonly number[]) {
+    for (let at = 0, i = 0; at < bytes.length; i += 1) {
+      const size = sizes[i % sizes.length] ?? 1
+      yield bytes.subarray(at, at + size)
+      at += size
+    }
+  }
+  it.each([[[1]], [[2, 3]], [[bytes.length]], [[5, 1, 7]]])(
+    "end at \\n only, in chunks of %j",
+    async sizes => {
+      const found: string[] = []
+      for await (const line of linesOf(chunks(sizes))) found.push(line)
+      expect(found).toEqual(lines)
+    },
+  )
+})
+
+describe("conflicts", () => {
+  const functions =
+    "-- 🤖\ngo :: Velocity\ngo = Velocity 0.2 0\n\nback :: Bumper -> Velocity\nback _ = Velocity (-0.2) 0\n\n"
+  it("are warnings of the page, once each, at the winner's name, with the way out as an edit", () => {
+    const source = `${functions}main = simulate (back, go)\n`
+    expect(ask({op: "conflicts", source}).problems).toEqual([
+      {
+        severity: "warning",
+        kind: "conflict",
+        message: "`back` and `go` both set the velocity, and `go` keeps winning.",
+        hint: "Say which one goes first with the block `first … for 1 s, otherwise …` (`priority`).",
+        ghc: "",
+        start: {line: 2, column: 1},
+        end: {line: 2, column: 3},
+        fixes: [
+          {
+            title: "Let back go first, for 1 s",
+            edits: [{start: {line: 8, column: 17}, end: {line: 8, column: 27}, text: "(priority 1 back go)"}],
+          },
+        ],
+      },
+    ])
+  })
+  it("of a value that stands in simulate are there", () => {
+    const source = `${functions}main = simulate (Velocity 0.1 0, back)\n`
+    expect(ask({op: "conflicts", source}).problems[0]).toMatchObject({
+      start: {line: 8, column: 18},
+      end: {line: 8, column: 26},
+    })
+  })
+  it.each(["main = simulate (priority 1 back go)", "main = simulate go", "main = simulate (go,", ""])(
+    "there are none in %j",
+    main => expect(ask({op: "conflicts", source: functions + main}).problems).toEqual([]),
   )
 })

@@ -4,7 +4,7 @@ import {describe, expect, test} from "vitest"
 import {modulesFromGhc, packageDatabase} from "../scripts/ghc.ts"
 import {infer, toHaskell} from "../src/index.ts"
 import {openView, workspaceOf} from "../src/reader/index.ts"
-import {modules} from "../src/types/modules.generated.ts"
+import {modules} from "../src/types/environment/modules.generated.ts"
 import {testReader} from "./reader/open.ts"
 
 const reader = await testReader()
@@ -143,7 +143,8 @@ describe("names that text brings into scope", () => {
   ])("%s is no problem", (_, text) => expect(seen(text).problems).toEqual([]))
 
   test("what a program imports by its module's name does not give way", () => {
-    expect(seen("import Prelude\n\nlookup x = x + 1").problems).toEqual([
+    expect(seen("import Prelude\n\nlookup x = x + 1").problems).toEqual([])
+    expect(seen("import Prelude\n\nlookup x = x + 1\n\nf = lookup 2").problems).toEqual([
       "Haskell itself has a `lookup` already.",
     ])
     expect(seen("import Prelude (lookup)\n\nfilter x = x + 1").problems).toEqual([])

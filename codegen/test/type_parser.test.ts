@@ -3,7 +3,7 @@
 import {expect, test} from "vitest"
 import {infer} from "../src/index.ts"
 import {openView, workspaceOf} from "../src/reader/index.ts"
-import {parseSignature, parseType} from "../src/types/type_parser.ts"
+import {parseSignature, parseType} from "../src/types/syntax/type_parser.ts"
 import {testReader} from "./reader/open.ts"
 
 const reader = await testReader()

@@ -2,7 +2,7 @@
 
 import {readFileSync} from "node:fs"
 import {expect, test} from "vitest"
-import {labelsOf, units} from "../src/blocks/constructor_labels.ts"
+import {labelsOf, units} from "../src/blocks/spec/constructor_labels.ts"
 
 interface Field {
   readonly type: string

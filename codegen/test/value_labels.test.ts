@@ -2,14 +2,14 @@
 
 import {afterEach, expect, test} from "vitest"
 import {blockView} from "../src/blocks/block_registry.ts"
-import {choices, valueLabel} from "../src/blocks/constructor_labels.ts"
+import {choices, valueLabel} from "../src/blocks/spec/constructor_labels.ts"
 import {de} from "../src/words/de/index.ts"
 import {en} from "../src/words/en/index.ts"
 import {es} from "../src/words/es/index.ts"
 import {fr} from "../src/words/fr/index.ts"
 import {speak} from "../src/words/index.ts"
 import {pt} from "../src/words/pt/index.ts"
-import {toolbox} from "../src/workspace/toolbox.ts"
+import {toolbox} from "../src/workspace/toolbox/toolbox.ts"
 
 afterEach(() => speak(en))
 

@@ -3,6 +3,9 @@
 /// editor can beat.
 ///
 /// Nothing waits for time to pass: each key waits until what it does is seen, and then as long again as a quick typist's next key would.
+///
+/// Two cores, one of them busy, 1,000 lines: 18.4 ms from a key to the picture (median; bare text area 7.2), 10.0 ms of it on the page's processor;
+/// the goal is under 16 ms of work (95 %), and 150 ms to the picture of blocks that followed (95 %; 73 ms). From the file to its blocks 1.0 s.
 
 import type {Browser, Page} from "@playwright/test"
 import {type Keys, pressed, typedOn} from "./keys.ts"

@@ -3,6 +3,9 @@
 ///
 /// Prints the time between two pictures and the page's own work for one, beside the same page without the diagram; a picture every 16.7 ms leaves
 /// the work as many milliseconds. Nothing is asserted: machines differ.
+///
+/// Two busy cores: 16.7 ms between two pictures, 4.8 ms of work for one, 8.3 ms with values in the program; 36 ms of work for an answer (95 %: 81 ms;
+/// the goal is an answer within 100 ms).
 
 import type {CDPSession, Page} from "@playwright/test"
 import {openFile, openPage, percentile, row, setting, withPage} from "./service.ts"

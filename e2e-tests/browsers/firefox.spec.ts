@@ -7,6 +7,5 @@ shortForm({
   name: "Firefox",
   programs: [program],
   packages: "firefox-esr",
-  day: 0,
   start: () => startFirefox(program),
 })

@@ -1,13 +1,10 @@
 /// The short form of the first hour for browsers of other engines: a block is dragged and snaps, the robot drives, text becomes blocks.
 ///
-/// One of the browsers plays one of the three each day, the other one the next day; nightly both play all.
-///
 /// A browser that is not installed is left out by name, with what to install.
 
 import {existsSync} from "node:fs"
 import {writeFile} from "node:fs/promises"
 import {expect, test} from "@playwright/test"
-import {rotated} from "../stories/extent.ts"
 import {screenshot} from "../stories/learner.ts"
 import type {Browser} from "./browser.ts"
 import {Hand, keyCodes, type Pointer} from "./hand.ts"
@@ -17,20 +14,14 @@ export interface Kind {
   /// The programs that it needs, and the Debian packages that hold them.
   readonly programs: readonly string[]
   readonly packages: string
-  /// Which of two days it plays on.
-  readonly day: 0 | 1
   start(): Promise<Browser>
 }
 
-/// What is done on a day: a block is dragged by a pointer, or text is typed.
-const ways = ["mouse", "touch", "text"] as const
 const pointers: readonly Pointer[] = ["mouse", "touch"]
 
 const program = ["turning :: Velocity", "turning = Velocity 0 1", "", "main = simulate turning"]
 
-export function shortForm({name, programs, packages, day, start}: Kind): void {
-  const days = ways.flatMap(way => (day === 0 ? [way, undefined] : [undefined, way]))
-  const today = rotated(days, days.length)
+export function shortForm({name, programs, packages, start}: Kind): void {
   const missing = programs.filter(path => !existsSync(path))
   const reason = `left out: no ${missing.join(", no ")} (apt-get install ${packages})`
   test.describe(missing.length === 0 ? name : `${name} ${reason}`, () => {
@@ -46,7 +37,7 @@ export function shortForm({name, programs, packages, day, start}: Kind): void {
     })
     test.afterAll(() => browser.closes())
 
-    for (const pointer of pointers.filter(one => today.includes(one)))
+    for (const pointer of pointers)
       test(`a block dragged by ${pointer} snaps, and the robot drives`, async ({baseURL}) => {
         const hand = new Hand(browser, pointer)
         await browser.opens(`${baseURL}/?example=move`)
@@ -76,25 +67,24 @@ export function shortForm({name, programs, packages, day, start}: Kind): void {
         await expect.poll(() => hand.text("[data-testid=run]")).toBe("Run")
       })
 
-    if (today.includes("text"))
-      test("typed text becomes blocks, and the robot turns", async ({baseURL}) => {
-        const hand = new Hand(browser)
-        await browser.opens(`${baseURL}/?example=move`)
-        await expect.poll(() => hand.text("[data-testid=haskell]")).toContain("simulate")
-        await hand.clicks(await hand.finds("[data-testid=haskell] .cm-line"))
-        await hand.keys([keyCodes.Control, "a"], [keyCodes.Delete])
-        for (const line of program) {
-          await hand.types(line)
-          await hand.keys([keyCodes.Enter])
-        }
-        await expect.poll(() => hand.count(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).toBe(2)
-        await hand.finds(".blocklySvg .blocklyBlockCanvas .blocklyField", "turning")
-        await hand.clicks(await hand.finds("[data-testid=run]"))
-        await expect
-          .poll(async () => Math.abs(Number.parseFloat(await hand.text("[data-testid=robot-heading]"))))
-          .toBeGreaterThan(10)
-        await writeFile(screenshot(name.toLowerCase()), await browser.picture())
-      })
+    test("typed text becomes blocks, and the robot turns", async ({baseURL}) => {
+      const hand = new Hand(browser)
+      await browser.opens(`${baseURL}/?example=move`)
+      await expect.poll(() => hand.text("[data-testid=haskell]")).toContain("simulate")
+      await hand.clicks(await hand.finds("[data-testid=haskell] .cm-line"))
+      await hand.keys([keyCodes.Control, "a"], [keyCodes.Delete])
+      for (const line of program) {
+        await hand.types(line)
+        await hand.keys([keyCodes.Enter])
+      }
+      await expect.poll(() => hand.count(".blocklySvg .blocklyBlockCanvas > .blocklyDraggable")).toBe(2)
+      await hand.finds(".blocklySvg .blocklyBlockCanvas .blocklyField", "turning")
+      await hand.clicks(await hand.finds("[data-testid=run]"))
+      await expect
+        .poll(async () => Math.abs(Number.parseFloat(await hand.text("[data-testid=robot-heading]"))))
+        .toBeGreaterThan(10)
+      await writeFile(screenshot(name.toLowerCase()), await browser.picture())
+    })
   })
 }
 

@@ -7,6 +7,5 @@ shortForm({
   name: "WebKit",
   programs: [driver, "/usr/bin/Xvfb"],
   packages: "webkit2gtk-driver xvfb",
-  day: 1,
   start: () => startWebKit(driver),
 })

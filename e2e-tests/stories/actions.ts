@@ -36,8 +36,9 @@ export class Builder {
     this.actions = 0
   }
 
-  /// Chooses the next empty place and has what fits there offered.
+  /// Chooses the next empty place and has what fits there offered, unless it is already.
   async offers(): Promise<void> {
+    if (this.input !== "keyboard" && (await this.isOffered())) return
     if (this.input === "keyboard") {
       // After Shift+Enter the search goes on for the next empty place.
       if (!(await this.isSearching())) await this.keys("f")
@@ -50,7 +51,7 @@ export class Builder {
 
   /// Chooses the empty place for an input and has what fits there offered. An input may stay empty, so it is not drawn as a hole.
   async offersInput(): Promise<void> {
-    if (this.input === "keyboard") return this.offers()
+    if (this.input === "keyboard" || (await this.isOffered())) return this.offers()
     await this.presses(
       this.page.locator(".blocklySvg .blocklyBlockCanvas .blocklyOutlinePath:not(.rosyHole)").first(),
     )
@@ -173,6 +174,10 @@ export class Builder {
 
   private isSearching(): Promise<boolean> {
     return this.page.locator(".rosySearch").evaluate(field => field === document.activeElement)
+  }
+
+  private isOffered(): Promise<boolean> {
+    return this.page.locator(".blocklyFlyout").getByText("Fits here").isVisible()
   }
 
   /// Whether a block is the first of those that are offered.

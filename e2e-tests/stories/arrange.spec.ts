@@ -3,10 +3,7 @@
 import {expect, type Locator, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const region = (page: Page, name: string) => page.getByRole("region", {name, exact: true})
 const blocks = (page: Page) => region(page, "The program in blocks")

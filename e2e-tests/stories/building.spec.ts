@@ -2,16 +2,12 @@
 
 import {readFileSync} from "node:fs"
 import {expect, type Page} from "@playwright/test"
-import {isFull, seed, turn} from "./extent.ts"
 import type {Hands} from "./hands.ts"
 import {Keys} from "./keys.ts"
 import {Learner, until} from "./learner.ts"
 import {Mouse} from "./mouse.ts"
 import {drawSquare, mux, randomWalk} from "./recipes.ts"
-import {test as daily} from "./story.ts"
-import {inTurn, turns} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 async function builds(
   page: Page,
@@ -67,25 +63,33 @@ interface Program {
   readonly behaves: (page: Page, learner: Learner) => Promise<void>
 }
 
-const programs: readonly Program[] = [
-  {title: "drawSquare", example: "drawSquare", recipe: drawSquare, behaves: drivesASquare},
-  {title: "the multiplexer", example: "mux", recipe: mux, behaves: circles},
-  {title: "the random walker", example: "randomWalk", recipe: randomWalk, behaves: walksAtRandom},
-]
+const drawSquareProgram: Program = {
+  title: "drawSquare",
+  example: "drawSquare",
+  recipe: drawSquare,
+  behaves: drivesASquare,
+}
+const multiplexer: Program = {title: "the multiplexer", example: "mux", recipe: mux, behaves: circles}
+const randomWalker: Program = {
+  title: "the random walker",
+  example: "randomWalk",
+  recipe: randomWalk,
+  behaves: walksAtRandom,
+}
 
-const hands = [
-  {with: "by mouse", of: (page: Page): Hands => new Mouse(page)},
-  {with: "by keyboard alone", of: (page: Page): Hands => new Keys(page)},
+const mouse = {with: "by mouse", of: (page: Page): Hands => new Mouse(page)} as const
+const keys = {with: "by keyboard alone", of: (page: Page): Hands => new Keys(page)} as const
+
+/// Each program with one kind of hands, and one with both: what a recipe asks of the page, and what the hands ask of it, fail
+/// apart from each other. Tasks are built by keyboard in first-hour.spec.ts.
+const built = [
+  [drawSquareProgram, mouse],
+  [multiplexer, mouse],
+  [multiplexer, keys],
+  [randomWalker, keys],
 ] as const
 
-// One of the shorter programs when the file has its day: it takes 60 to 90 s of processor time. On every day `every-lesson.spec.ts` follows
-// a lesson in this page, `first-hour.spec.ts` builds a small program; on one day in three `editor/test/blocks/building.web.test.ts` builds
-// whole programs with both hands without the page around the blocks. The random walker takes three minutes by keyboard and is built nightly.
-const stories = programs
-  .filter(({example}) => isFull || example !== "randomWalk")
-  .flatMap(program => hands.map(by => ({...program, by})))
-const built = isFull ? stories : turn(stories, stories.length, Math.floor(seed / turns.length))
-for (const {title, example, recipe, behaves, by} of built) {
+for (const [{title, example, recipe, behaves}, by] of built) {
   test(`${title} ${by.with}`, async ({page}) => {
     await behaves(page, await builds(page, example, recipe, by.of(page)))
   })

@@ -1,19 +1,15 @@
 /// Presses, drags and types at random places: the page never breaks, and a reload keeps what came of it.
-/// One of two hands plays half of the gestures, another one each day; `./rosy test nightly` plays both whole. `SEEDS=1,2,3 GESTURES=300` play other hands,
-/// for longer; the seed is in the story's name.
+/// `./rosy test nightly` plays twice as many. `SEEDS=1,2,3 GESTURES=300` plays others, for longer; the seed is in the story's name.
 
 import {expect, type Page} from "@playwright/test"
+import {isNightly} from "../../codegen/test/extent.ts"
 import {atRest} from "./at_rest.ts"
-import {isFull, rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const given = process.env["SEEDS"]
-const seeds = given === undefined ? rotated([8, 12], 2) : given.split(",").map(Number)
-const gestures = Number(process.env["GESTURES"] ?? (isFull ? 120 : 60))
+const seeds = given === undefined ? [8, 12] : given.split(",").map(Number)
+const gestures = Number(process.env["GESTURES"] ?? (isNightly ? 120 : 60))
 const programs = ["drawSquare", "mux", "randomWalk", "accelerateAndPlay", "safeRandomWalk", "move"]
 
 // Keys that mean something in the blocks, in the text, or in both.

@@ -2,19 +2,16 @@
 
 import {once} from "node:events"
 import {expect, type Page} from "@playwright/test"
-import {isFull} from "./extent.ts"
+import {isNightly} from "../../codegen/test/extent.ts"
 import {screenshot} from "./learner.ts"
 import {ProtocolPupil} from "./protocol_pupil.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
-import {prepareContexts, test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {prepareContexts, test} from "./story.ts"
 
 const pupils = 30
 
 /// Pupils in real browsers beside Ada, whose browser is killed.
-const nicknames = isFull ? ["Ben", "Cem", "Dana", "Emil", "Fay", "Gil", "Hana"] : ["Ben"]
+const nicknames = isNightly ? ["Ben", "Cem", "Dana", "Emil", "Fay", "Gil", "Hana"] : ["Ben"]
 
 /// Saves of each protocol client that are reported before the service is killed.
 const reported = 3
@@ -90,8 +87,8 @@ test("thirty pupils: join, lesson, run, eyes up, hand in; a browser and the serv
   for (const client of clients) client.stops()
 
   // All hand in.
-  await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
-  await teacher.getByRole("button", {name: "Open the task"}).click()
+  await teacher.getByRole("textbox", {name: "Title of an assignment"}).fill("Drive a square")
+  await teacher.getByRole("button", {name: "Open the assignment"}).click()
   await Promise.all(clients.map(client => client.handsIn()))
   for (const {page} of [ada, ...others]) {
     await page.getByRole("button", {name: "Hand in", exact: true}).click()
@@ -99,6 +96,8 @@ test("thirty pupils: join, lesson, run, eyes up, hand in; a browser and the serv
   }
   const allHandedIn = `${pupils} of ${pupils} have handed in.`
   await expect(teacher.getByTestId("open-task")).toContainText(allHandedIn)
+  // A card does not say both that a program was handed in and that there is none.
+  await expect(teacher.getByText("no program saved yet")).toHaveCount(0)
 
   // Ada's browser is killed after the last letter was saved.
   await ada.changesNumber("0.5", "0.25")

@@ -4,10 +4,7 @@ import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {screenshot} from "./learner.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 /// What axe-core finds wrong with a part of a page (WCAG 2.2 A and AA).
 async function faults(page: Page, part: string): Promise<unknown[]> {

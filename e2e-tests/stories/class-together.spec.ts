@@ -7,10 +7,7 @@ import {AxeBuilder} from "@axe-core/playwright"
 import {type Browser, expect, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
 import {startService, type Talker} from "./service.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 let classes: string
 let service: Talker

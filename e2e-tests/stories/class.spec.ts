@@ -4,11 +4,7 @@ import {AxeBuilder} from "@axe-core/playwright"
 import {type Browser, expect, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
 import {device, RunningClass, savedIn} from "./running_class.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(0, daily, import.meta.url)
+import {test} from "./story.ts"
 
 let running: RunningClass
 
@@ -46,6 +42,35 @@ test("a pupil's last letter is on another device, also after the service was kil
   const third = await continues(browser, words)
   await expect.poll(() => third.haskellText()).toBe(text)
   await third.page.context().close()
+})
+
+test("a page that stays open meets another class, shows nothing of the first, and is back in it afterwards", async ({
+  browser,
+}) => {
+  const {learner: ada} = await joins(browser, "Ada")
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  await savedIn(ada)
+
+  running = await running.gives("7c")
+  const card = ada.page.getByRole("dialog", {name: "Join your class"})
+  await expect(card).toBeVisible()
+  await expect(ada.haskell()).not.toContainText("0.25")
+  await card.getByRole("textbox", {name: "Class code"}).fill(running.code)
+  await card.getByRole("textbox", {name: "Nickname"}).fill("Zoe")
+  await card.getByRole("button", {name: "Join the class"}).click()
+  await ada.page.getByRole("button", {name: "I wrote them down"}).click()
+  await ada.page.getByRole("button", {name: "My programs"}).first().click()
+  const programs = ada.page.getByRole("dialog", {name: "My programs"})
+  await expect(programs).toBeVisible()
+  await expect(programs.getByText("forwardBackward")).toHaveCount(0)
+  await ada.page.keyboard.press("Escape")
+
+  running = await running.gives("7b")
+  await expect(ada.page.getByTestId("class-bar")).toContainText("Ada")
+  await expect(ada.haskell()).toContainText("0.25")
+  await expect(card).toHaveCount(0)
+  await ada.page.context().close()
 })
 
 test("what two devices changed without each other becomes two programs", async ({browser}) => {
@@ -96,81 +121,79 @@ async function faults(page: Page, part = "body"): Promise<unknown[]> {
   return violations.map(violation => [violation.id, violation.nodes.map(node => node.html)])
 }
 
-everyFourth(
-  "the board shows two pupils live, their programs and a raised hand, and every page looks up",
-  async ({browser}) => {
-    const teacher = await device(browser)
-    const violations = policyViolations(teacher)
-    await teacher.goto(running.board)
-    await expect(teacher.getByText("No pupil has joined yet.")).toBeVisible()
-    expect(teacher.url()).not.toContain("key")
-    const {learner: ada} = await joins(browser, "Ada <b>")
-    const {learner: ben} = await joins(browser, "Ben")
-    const adaOnBoard = teacher.getByTestId("pupil Ada <b>")
-    const benOnBoard = teacher.getByTestId("pupil Ben")
-    await expect(adaOnBoard.getByRole("heading", {name: "Ada <b>"})).toBeVisible()
-    await expect(benOnBoard.getByText("no program saved yet")).toBeVisible()
+test("the board shows two pupils live, their programs and a raised hand, and every page looks up", async ({
+  browser,
+}) => {
+  const teacher = await device(browser)
+  const violations = policyViolations(teacher)
+  await teacher.goto(running.board)
+  await expect(teacher.getByText("No pupil has joined yet.")).toBeVisible()
+  expect(teacher.url()).not.toContain("key")
+  const {learner: ada} = await joins(browser, "Ada <b>")
+  const {learner: ben} = await joins(browser, "Ben")
+  const adaOnBoard = teacher.getByTestId("pupil Ada <b>")
+  const benOnBoard = teacher.getByTestId("pupil Ben")
+  await expect(adaOnBoard.getByRole("heading", {name: "Ada <b>"})).toBeVisible()
+  await expect(benOnBoard.getByText("no program saved yet")).toBeVisible()
 
-    await ada.changesNumber("0.5", "0.25")
-    await expect(ada.haskell()).toContainText("0.25")
-    await savedIn(ada)
-    await expect(adaOnBoard.getByText("forwardBackward")).toBeVisible()
-    const room = adaOnBoard.getByRole("img", {name: "Room of Ada <b>"})
-    await expect(room).toBeVisible()
-    const picture = () => room.evaluate(canvas => (canvas as HTMLCanvasElement).toDataURL())
-    const parked = await picture()
-    await ada.runs()
-    await expect(adaOnBoard.getByText("running", {exact: true})).toBeVisible()
-    await expect.poll(picture).not.toBe(parked)
+  await ada.changesNumber("0.5", "0.25")
+  await expect(ada.haskell()).toContainText("0.25")
+  await savedIn(ada)
+  await expect(adaOnBoard.getByText("forwardBackward")).toBeVisible()
+  const room = adaOnBoard.getByRole("img", {name: "Room of Ada <b>"})
+  await expect(room).toBeVisible()
+  const picture = () => room.evaluate(canvas => (canvas as HTMLCanvasElement).toDataURL())
+  const parked = await picture()
+  await ada.runs()
+  await expect(adaOnBoard.getByText("running", {exact: true})).toBeVisible()
+  await expect.poll(picture).not.toBe(parked)
 
-    await ben.page.getByRole("button", {name: "Raise hand"}).click()
-    await expect(benOnBoard.getByText("Raised hand")).toBeVisible()
-    await teacher.setViewportSize({width: 390, height: 844})
-    await teacher.screenshot({path: screenshot("board-phone")})
-    // The board scrolls; who needs help stays in sight, and leads to the card.
-    const inNeed = teacher.getByTestId("pupils-in-need").getByRole("link", {name: "Ben"})
-    await teacher.mouse.move(195, 600)
-    await teacher.mouse.wheel(0, 20_000)
-    await expect(benOnBoard.getByRole("button", {name: "Show on the projector: Ben"})).toBeInViewport()
-    await teacher.mouse.wheel(0, -20_000)
-    await expect(benOnBoard).not.toBeInViewport()
-    await inNeed.click()
-    await expect(benOnBoard).toBeInViewport()
-    await expect(inNeed).toBeInViewport()
-    await teacher.setViewportSize({width: 1440, height: 900})
-    await teacher.screenshot({path: screenshot("board")})
-    expect(await faults(teacher)).toEqual([])
-    await benOnBoard.getByRole("button", {name: "I have seen it"}).click()
-    await expect(ben.page.getByRole("button", {name: "Raise hand"})).toBeVisible()
+  await ben.page.getByRole("button", {name: "Raise hand"}).click()
+  await expect(benOnBoard.getByText("Raised hand")).toBeVisible()
+  await teacher.setViewportSize({width: 390, height: 844})
+  await teacher.screenshot({path: screenshot("board-phone")})
+  // The board scrolls; who needs help stays in sight, and leads to the card.
+  const inNeed = teacher.getByTestId("pupils-in-need").getByRole("link", {name: "Ben"})
+  await teacher.mouse.move(195, 600)
+  await teacher.mouse.wheel(0, 20_000)
+  await expect(benOnBoard.getByRole("button", {name: "Show on the projector: Ben"})).toBeInViewport()
+  await teacher.mouse.wheel(0, -20_000)
+  await expect(benOnBoard).not.toBeInViewport()
+  await inNeed.click()
+  await expect(benOnBoard).toBeInViewport()
+  await expect(inNeed).toBeInViewport()
+  await teacher.setViewportSize({width: 1440, height: 900})
+  await teacher.screenshot({path: screenshot("board")})
+  expect(await faults(teacher)).toEqual([])
+  await benOnBoard.getByRole("button", {name: "I have seen it"}).click()
+  await expect(ben.page.getByRole("button", {name: "Raise hand"})).toBeVisible()
 
-    await teacher.getByRole("textbox", {name: "Message to all"}).fill("Look at me")
-    await teacher.getByRole("button", {name: "Eyes up"}).click()
-    for (const learner of [ada, ben])
-      await expect(learner.page.getByTestId("eyes-up")).toHaveText("Look at me")
-    await teacher.getByRole("button", {name: "Let them go on"}).click()
-    for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveCount(0)
-    await ada.stops()
+  await teacher.getByRole("textbox", {name: "Message to all"}).fill("Look at me")
+  await teacher.getByRole("button", {name: "Eyes up"}).click()
+  for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveText("Look at me")
+  await teacher.getByRole("button", {name: "Let them go on"}).click()
+  for (const learner of [ada, ben]) await expect(learner.page.getByTestId("eyes-up")).toHaveCount(0)
+  await ada.stops()
 
-    await benOnBoard.getByRole("checkbox", {name: "Select Ben"}).check()
-    const sending = teacher.getByTestId("send")
-    await sending.getByRole("combobox", {name: "Send"}).selectOption("A lesson")
-    await sending.getByRole("combobox", {name: "Which one"}).selectOption("Bump!")
-    await sending.getByRole("button", {name: "Send to one pupil"}).click()
-    await expect(sending.getByText("Sent to 1 page")).toBeVisible()
-    await expect(ben.page.getByText("Your teacher sent the lesson “Bump!”.")).toBeVisible()
-    await teacher.screenshot({path: screenshot("board-send")})
-    await ben.page.getByRole("button", {name: "Open it"}).click()
-    await expect(ben.page.getByRole("complementary", {name: "Lesson"})).toContainText("Bump!")
-    await expect(ada.page.getByText("Your teacher sent")).toHaveCount(0)
+  await benOnBoard.getByRole("checkbox", {name: "Select Ben"}).check()
+  const sending = teacher.getByTestId("send")
+  await sending.getByRole("combobox", {name: "Send"}).selectOption("A lesson")
+  await sending.getByRole("combobox", {name: "Which one"}).selectOption("Bump!")
+  await sending.getByRole("button", {name: "Send to one pupil"}).click()
+  await expect(sending.getByText("Sent to 1 page")).toBeVisible()
+  await expect(ben.page.getByText("Your teacher sent the lesson “Bump!”.")).toBeVisible()
+  await teacher.screenshot({path: screenshot("board-send")})
+  await ben.page.getByRole("button", {name: "Open it"}).click()
+  await expect(ben.page.getByRole("complementary", {name: "Lesson"})).toContainText("Bump!")
+  await expect(ada.page.getByText("Your teacher sent")).toHaveCount(0)
 
-    await adaOnBoard.getByRole("button", {name: "Look at the program of Ada <b>"}).click()
-    const copy = teacher.frameLocator("iframe")
-    await expect(copy.getByTestId("haskell")).toContainText("0.25")
-    // The board, and the page embedded in it.
-    expect(violations).toEqual([])
-    for (const page of [ada.page, ben.page, teacher]) await page.context().close()
-  },
-)
+  await adaOnBoard.getByRole("button", {name: "Look at the program of Ada <b>"}).click()
+  const copy = teacher.frameLocator("iframe")
+  await expect(copy.getByTestId("haskell")).toContainText("0.25")
+  // The board, and the page embedded in it.
+  expect(violations).toEqual([])
+  for (const page of [ada.page, ben.page, teacher]) await page.context().close()
+})
 
 test("a pupil hands in, hands in again until the teacher ends the task, and reads the comment", async ({
   browser,
@@ -180,8 +203,8 @@ test("a pupil hands in, hands in again until the teacher ends the task, and read
   const {learner: ada} = await joins(browser, "Ada")
   const {learner: ben} = await joins(browser, "Ben")
   await expect(ada.page.getByRole("button", {name: "Hand in"})).toHaveCount(0)
-  await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
-  await teacher.getByRole("button", {name: "Open the task"}).click()
+  await teacher.getByRole("textbox", {name: "Title of an assignment"}).fill("Drive a square")
+  await teacher.getByRole("button", {name: "Open the assignment"}).click()
   await expect(teacher.getByTestId("open-task")).toContainText("0 of 2 have handed in.")
 
   const task = ada.page.getByTestId("class-task")
@@ -219,7 +242,7 @@ test("a pupil hands in, hands in again until the teacher ends the task, and read
   await task.getByRole("button", {name: "I have read it"}).click()
   await expect(task).not.toContainText("Look at the corner.")
 
-  await teacher.getByRole("button", {name: "End the task"}).click()
+  await teacher.getByRole("button", {name: "End the assignment"}).click()
   await expect(ben.page.getByTestId("class-task").getByRole("button")).toHaveCount(0)
   await expect(task.getByRole("button")).toHaveCount(0)
   await row.getByRole("button", {name: "Look at what Ada handed in"}).click()

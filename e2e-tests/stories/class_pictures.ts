@@ -78,8 +78,8 @@ export async function classPictures(browser: Browser, shoot: Shoot): Promise<voi
     await teacher.getByRole("button", {name: "Let them go on"}).click()
     await expect(ada.getByTestId("eyes-up")).toHaveCount(0)
 
-    await teacher.getByRole("textbox", {name: "Title of a task"}).fill("Drive a square")
-    await teacher.getByRole("button", {name: "Open the task"}).click()
+    await teacher.getByRole("textbox", {name: "Title of an assignment"}).fill("Drive a square")
+    await teacher.getByRole("button", {name: "Open the assignment"}).click()
     await ada.getByRole("button", {name: "Hand in", exact: true}).click()
     await expect(teacher.getByTestId("open-task")).toContainText("1 of 2 have handed in.")
     await expect(teacher.getByTestId("hand-in Ben")).toContainText("not yet")

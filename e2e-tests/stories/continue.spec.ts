@@ -3,10 +3,7 @@
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 test("the run goes on from a moment before, also with a changed program", async ({page}) => {
   const learner = new Learner(page)

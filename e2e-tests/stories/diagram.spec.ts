@@ -6,10 +6,7 @@ import {expect, type Page} from "@playwright/test"
 import {atRest} from "./at_rest.ts"
 import {drawnParts, drawnPoints, pixelsOf} from "./drawing.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
 const node = (page: Page, name: RegExp) => diagram(page).getByRole("button", {name})

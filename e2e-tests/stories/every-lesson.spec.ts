@@ -1,9 +1,9 @@
-/// Every lesson, followed from its first step to "Next lesson" by what its own files say, in text and in blocks: guesses, runs, questions with wrong
-/// answers first, hints, the ticks, and what was learnt. In text a wrong attempt comes first, and lines are replaced until the program is the
-/// reference solution; in blocks a solution is built by keyboard from the blocks of the lesson (`lesson_recipes.ts`). Prints how long each lesson takes.
+/// Lessons followed from their first step to "Next lesson" by what their own files say: guesses, runs, questions with wrong answers first, hints,
+/// the ticks, and what was learnt. In text a wrong attempt comes first, and lines are replaced until the program is the reference solution; in
+/// blocks a solution is built from the blocks of the lesson (`lesson_recipes.ts`). Prints how long each lesson takes.
 
 import {expect, type Page} from "@playwright/test"
-import {isFull, rotated, seed, turn} from "./extent.ts"
+import type {Hands} from "./hands.ts"
 import {Keys} from "./keys.ts"
 import {
   asShown,
@@ -13,12 +13,11 @@ import {
   type WrongAttempt,
 } from "./lesson_files.ts"
 import {recipes} from "./lesson_recipes.ts"
+import {Mouse} from "./mouse.ts"
 import {Pupil} from "./pupil.ts"
 import {test} from "./story.ts"
 
 const lessons = lessonFolders()
-/// Stories that a run of all lessons is divided into: each takes some consecutive lessons in one page.
-const parts = 4
 
 /// A way to follow lessons.
 interface Way {
@@ -39,17 +38,17 @@ const inText: Way = {
   solves: (pupil, _lesson, step, program) => pupil.rewrites(program, step.solution ?? program),
 }
 
-const inBlocks: Way = {
-  name: "in blocks",
-  view: "Blocks",
-  fails: false,
-  async solves(pupil, lesson, step) {
-    const recipe = recipes[`${lesson.name}/${step.id}`]
-    if (recipe === undefined) throw new Error(`expected a recipe for ${lesson.name}/${step.id}`)
-    const hands = new Keys(pupil.page)
-    await hands.enters()
-    await recipe(hands)
-  },
+function inBlocks(name: string, handsOf: (page: Page) => Promise<Hands>): Way {
+  return {
+    name: `in blocks ${name}`,
+    view: "Blocks",
+    fails: false,
+    async solves(pupil, lesson, step) {
+      const recipe = recipes[`${lesson.name}/${step.id}`]
+      if (recipe === undefined) throw new Error(`expected a recipe for ${lesson.name}/${step.id}`)
+      await recipe(await handsOf(pupil.page))
+    },
+  }
 }
 
 /// Follows a lesson that is open at its first step.
@@ -89,14 +88,14 @@ async function answersQuestion(pupil: Pupil, {texts}: LessonFolder, step: Lesson
   }
 }
 
-/// Runs one of the typical wrong attempts, another one each day: its check says what was seen, and the step is not done. Returns the program.
+/// Runs the first of the typical wrong attempts: its check says what was seen, and the step is not done. Returns the program.
 async function failsFirst(
   pupil: Pupil,
   lesson: LessonFolder,
   step: LessonStep,
   program: string,
 ): Promise<string> {
-  const attempt = step.wrong[seed % step.wrong.length] as WrongAttempt
+  const attempt = step.wrong[0] as WrongAttempt
   await pupil.rewrites(program, attempt.program)
   await drives(pupil, step)
   const check = pupil.check(asShown(lesson.texts.checks[attempt.check] ?? ""))
@@ -164,40 +163,27 @@ async function followsAll(page: Page, some: readonly LessonFolder[], way: Way): 
   console.log(times.join("\n"))
 }
 
-/// A lesson and the way in which a day follows it.
-interface LessonDay {
-  readonly way: Way
-  readonly lesson: LessonFolder
+async function atKeyboard(page: Page): Promise<Hands> {
+  const keys = new Keys(page)
+  await keys.enters()
+  return keys
 }
 
-/// The days of lessons, in text and in blocks by turns; about half of all days lie between a lesson in text and the same one in blocks.
-const days: readonly LessonDay[] = lessons.flatMap((lesson, i) => [
-  {way: inText, lesson},
-  {way: inBlocks, lesson: lessons[(i + Math.floor(lessons.length / 2)) % lessons.length] ?? lesson},
-])
+/// Followed in the page: together they have each kind of step, with and without hands, and the two ways to build. What differs from lesson to
+/// lesson is data: `sim-service/tests/system/test_lessons.py` plays every solution and wrong attempt of every lesson, `editor/test/lessons` reads
+/// all texts, and takes every block of a solution from the toolbox of its lesson.
+const followed: readonly {readonly lesson: string; readonly way: Way}[] = [
+  {lesson: "remote-control", way: inText},
+  {lesson: "stop-before-the-wall", way: inText},
+  {lesson: "hello-robot", way: inBlocks("by mouse", async page => new Mouse(page))},
+  {lesson: "hello-robot", way: inBlocks("by keyboard alone", atKeyboard)},
+]
 
-function follow(way: Way, share: readonly LessonFolder[]): void {
-  const numbers = [...new Set([share[0]?.number, share.at(-1)?.number])].join(" to ")
-  test(`to the end ${way.name}: lesson ${numbers}`, async ({page}) => {
-    await followsAll(page, share, way)
+for (const {lesson, way} of followed)
+  test(`to the end ${way.name}: ${lesson}`, async ({page}) => {
+    await followsAll(
+      page,
+      lessons.filter(({name}) => name === lesson),
+      way,
+    )
   })
-}
-
-// One lesson each day; nightly all in both ways, some in each page.
-if (isFull)
-  for (const way of [inText, inBlocks])
-    for (let part = 0; part < parts; part++)
-      follow(
-        way,
-        lessons.filter((_, i) => Math.floor((i * parts) / lessons.length) === part),
-      )
-else for (const {way, lesson} of rotated(days, days.length)) follow(way, [lesson])
-
-test("each lesson has its day, in text and in blocks", () => {
-  const played = days.map((_, day) => turn(days, days.length, 20_000 + day))
-  expect(played.map(day => day.length)).toEqual(days.map(() => 1))
-  for (const way of [inText, inBlocks]) {
-    const followed = played.flat().filter(day => day.way === way)
-    expect(new Set(followed.map(({lesson}) => lesson)).size).toBe(lessons.length)
-  }
-})

@@ -4,10 +4,7 @@
 import {expect} from "@playwright/test"
 import {wholeChromium} from "../../editor/test/chromium.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 test.use({
   launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
@@ -22,20 +19,17 @@ test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
   await learner.keeps("first-look")
 })
 
-daily(
-  "Run drives the robot into the wall; the bumper lights up and the error sound plays",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await learner.opens("accelerateAndPlay")
-    await learner.runsUntil("speed", v => v > 0.3)
-    await expect(learner.status()).toHaveText("Running")
-    await expect(learner.robot("bumpers")).not.toBeEmpty()
-    await expect(learner.console()).toContainText("plays ErrorSound")
-    await learner.keeps("bumped")
-    await learner.stops()
-    await expect(learner.status()).toHaveText("Stopped")
-  },
-)
+test("Run drives the robot into the wall; the bumper lights up and the error sound plays", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("accelerateAndPlay")
+  await learner.runsUntil("speed", v => v > 0.3)
+  await expect(learner.status()).toHaveText("Running")
+  await expect(learner.robot("bumpers")).not.toBeEmpty()
+  await expect(learner.console()).toContainText("plays ErrorSound")
+  await learner.keeps("bumped")
+  await learner.stops()
+  await expect(learner.status()).toHaveText("Stopped")
+})
 
 test("forwardBackward turns round at the wall, by memory", async ({page}) => {
   const learner = new Learner(page)
@@ -108,7 +102,7 @@ test("the gallery shows what each example teaches and opens it", async ({page}) 
   await expect(learner.haskell()).toContainText("forwardBackward")
 })
 
-daily("Stop works while the program still compiles, and Reset puts the robot back", async ({page}) => {
+test("Stop works while the program still compiles, and Reset puts the robot back", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("move")
   await learner.runsUntil("speed", v => v > 0.2)

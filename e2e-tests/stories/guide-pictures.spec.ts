@@ -8,7 +8,6 @@ import {fileURLToPath} from "node:url"
 import {type Browser, expect, type Page} from "@playwright/test"
 import {wholeChromium} from "../../editor/test/chromium.ts"
 import {classPictures} from "./class_pictures.ts"
-import {rotated} from "./extent.ts"
 import {withPalette} from "./palette_png.ts"
 import {test} from "./story.ts"
 
@@ -81,7 +80,7 @@ const series: readonly Series[] = [
   {name: "class", take: (_, browser, shoot) => classPictures(browser, shoot)},
 ]
 
-for (const {name, take} of rotated(series, series.length))
+for (const {name, take} of series)
   test(`the picture ${name} of the guide is what the page shows`, async ({page, browser}, info) => {
     const {chromium} = JSON.parse(readFileSync(madeWith, "utf8")) as {readonly chromium: string}
     test.skip(

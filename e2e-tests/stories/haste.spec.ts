@@ -3,10 +3,7 @@
 import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 /// A machine that shows no picture until it is told to.
 async function showsNothing(page: Page): Promise<void> {

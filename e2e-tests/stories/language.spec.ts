@@ -2,10 +2,7 @@
 
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const program = `newtype Charge = Charge Int
 

@@ -2,13 +2,9 @@
 
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
+import {test} from "./story.ts"
 
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(2, daily, import.meta.url)
-
-everyFourth("a reload in the middle of a word loses nothing", async ({page}) => {
+test("a reload in the middle of a word loses nothing", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   await learner.findsInHaskell("Velocity (vl + 0.5) va")

@@ -3,10 +3,7 @@
 
 import {expect, type Locator, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const editor = (page: Page): Locator => page.getByRole("complementary", {name: "Lesson editor"})
 const lesson = (page: Page): Locator => page.getByRole("complementary", {name: "Lesson", exact: true})

@@ -1,11 +1,9 @@
 /// Lessons from the list to their end: one in blocks with a wrong attempt and a hint on the way, one in text.
 
 import {expect, type Page} from "@playwright/test"
+import {lessonFolders} from "./lesson_files.ts"
 import {Pupil} from "./pupil.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 const pupil = (page: Page) => new Pupil(page)
 
@@ -68,7 +66,7 @@ test("a lesson is followed in text, survives a reload, and is left for free play
     `${start}bump :: Bumper -> (Velocity, Sound)\nbump _ = (Velocity (-0.3) 0, ButtonSound)\n\nmain = simulate (start, bump)\n`,
   )
   await one.tries()
-  await expect(one.check("ButtonSound")).toHaveAttribute("data-check-state", "done")
+  await expect(one.check("Another sound than ErrorSound")).toHaveAttribute("data-check-state", "done")
   await one.goesOn()
   await one.tries()
   await expect(one.check("No sound when it lets go")).toContainText("something followed that should not")
@@ -80,4 +78,39 @@ test("a lesson is followed in text, survives a reload, and is left for free play
   await one.panel().getByRole("button", {name: "Play freely with this program"}).click()
   await expect(one.panel()).toBeHidden()
   await expect(one.haskell()).toContainText("Just ErrorSound")
+})
+
+/// Lessons whose programs begin with blocks that are wider than a small laptop shows at a size that can be read.
+const tooWide: readonly string[] = [
+  "which-side",
+  "count-the-bumps",
+  "a-mode-of-my-own",
+  "my-own-event",
+  "chance",
+  "a-task-that-answers",
+  "the-papers-robot",
+]
+
+test("each lesson begins with blocks that are seen in their whole width on the pages of small laptops", async ({
+  page,
+}) => {
+  const one = pupil(page)
+  await page.goto("/")
+  await expect(one.haskell()).toContainText("simulate")
+  /// Pixels by which the blocks are wider than their view.
+  const excess = () =>
+    page.evaluate(() => {
+      const view = document.querySelector(".blocks-host svg.blocklySvg")?.getBoundingClientRect()
+      const blocks = [...document.querySelectorAll(".blocks-host .blocklyBlockCanvas > .blocklyDraggable")]
+      return Math.max(...blocks.map(block => block.getBoundingClientRect().right)) - (view?.right ?? 0)
+    })
+  for (const {name, texts} of lessonFolders()) {
+    await page.setViewportSize({width: 1366, height: 768})
+    await one.choosesLesson(texts.title)
+    for (const width of [1366, 1280]) {
+      await page.setViewportSize({width, height: 768})
+      if (!tooWide.includes(name))
+        await expect.poll(excess, {message: `${name}, ${width} px`}).toBeLessThan(0)
+    }
+  }
 })

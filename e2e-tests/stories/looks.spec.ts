@@ -1,13 +1,9 @@
 /// The page can be seen and used by everybody: contrast, names and roles, by axe-core (WCAG 2.2 A and AA), in light and in dark.
 
 import {expect, type Page} from "@playwright/test"
-import {rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
 import {faults} from "./page_faults.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 /// Buttons of an open dialog whose words stick out of them.
 function spilling(page: Page): Promise<readonly string[]> {
@@ -18,8 +14,7 @@ function spilling(page: Page): Promise<readonly string[]> {
     )
 }
 
-// One of the two each day; `./rosy test nightly` looks at both.
-for (const colorScheme of rotated(["light", "dark"] as const, 2)) {
+for (const colorScheme of ["light", "dark"] as const) {
   test(`nothing on the page is hard to see or without a name, in ${colorScheme} colours`, async ({page}) => {
     await page.emulateMedia({colorScheme, reducedMotion: "reduce"})
     const learner = new Learner(page)

@@ -3,10 +3,7 @@
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Locator, type Page} from "@playwright/test"
 import {Learner, screenshot} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 async function opensTest(page: Page): Promise<Locator> {
   await page.getByRole("button", {name: "More", exact: true}).click()

@@ -1,17 +1,14 @@
-/// Short walks of mixed steps in blocks and text that have passed before: another one each day, `./rosy test nightly` all of them. `../walks` takes longer ones and new ones.
+/// Short walks of mixed steps in blocks and text that have passed before; `./rosy test nightly` takes longer ones as well. `../walks` takes longer ones and new ones.
 
+import {isNightly} from "../../codegen/test/extent.ts"
 import {openReaders} from "../walks/seen_program.ts"
 import {openWalk, walk} from "../walks/walk.ts"
-import {isFull, seed} from "./extent.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 const short = [201, 202, 203]
 // With 300 lines pasted on the way.
 const long = [205, 206]
-const seeds = isFull ? [...short, ...long] : [short[seed % short.length]!]
+const seeds = isNightly ? [...short, ...long] : short
 const length = 15
 
 for (const one of seeds) {

@@ -2,56 +2,49 @@
 
 import {expect, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(3, daily, import.meta.url)
+import {test} from "./story.ts"
 
 const dialogOf = (page: Page) => page.getByRole("dialog", {name: "My programs"})
 
-everyFourth(
-  "My programs opens, renames and duplicates a program, and a deleted one comes back",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await learner.opens("move")
-    await learner.changesNumber("0.5", "0.25")
-    await learner.opens("accelerateAndPlay")
-    await learner.changesNumber("0.5", "0.75")
-    await expect(learner.haskell()).toContainText("vl + 0.75")
-    await expect(page.getByTestId("saved")).toHaveText("saved")
-    const dialog = dialogOf(page)
-    const cards = dialog.locator(".program-card")
-    await page.getByRole("button", {name: "My programs"}).click()
-    await expect(cards).toHaveCount(2)
-    await expect(cards.first()).toContainText("open now")
-    await expect(cards.locator(".block-picture path").first()).toBeVisible()
+test("My programs opens, renames and duplicates a program, and a deleted one comes back", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.changesNumber("0.5", "0.25")
+  await learner.opens("accelerateAndPlay")
+  await learner.changesNumber("0.5", "0.75")
+  await expect(learner.haskell()).toContainText("vl + 0.75")
+  await expect(page.getByTestId("saved")).toHaveText("saved")
+  const dialog = dialogOf(page)
+  const cards = dialog.locator(".program-card")
+  await page.getByRole("button", {name: "My programs"}).click()
+  await expect(cards).toHaveCount(2)
+  await expect(cards.first()).toContainText("open now")
+  await expect(cards.locator(".block-picture path").first()).toBeVisible()
 
-    await dialog.getByRole("button", {name: "Rename move"}).click()
-    await expect(dialog.getByRole("textbox")).toBeFocused()
-    await page.keyboard.insertText("slow")
-    await page.keyboard.press("Enter")
-    await dialog.getByRole("button", {name: "Duplicate slow"}).click()
-    await dialog.getByRole("button", {name: "Delete slow", exact: true}).click()
-    await expect(cards).toHaveCount(2)
-    await dialog.getByRole("button", {name: "Undo"}).click()
-    await expect(cards).toHaveCount(3)
-    // The open program goes, too, and a new one takes its place.
-    await dialog.getByRole("button", {name: "Delete accelerateAndPlay"}).click()
-    await expect(cards).toHaveCount(2)
-    await learner.keeps("my-programs")
-    await cards.filter({hasText: "slow 2"}).locator(".opens").click()
-    await expect(learner.haskell()).toContainText("Velocity 0.25")
-    await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("slow 2")
-    await page.reload()
-    await expect(learner.haskell()).toContainText("Velocity 0.25")
-    await page.getByRole("button", {name: "My programs"}).click()
-    await page.getByText("Deleted programs").click()
-    await dialog.getByRole("button", {name: "Restore accelerateAndPlay"}).click()
-    await cards.filter({hasText: "accelerateAndPlay"}).locator(".opens").click()
-    await expect(learner.haskell()).toContainText("vl + 0.75")
-  },
-)
+  await dialog.getByRole("button", {name: "Rename move"}).click()
+  await expect(dialog.getByRole("textbox")).toBeFocused()
+  await page.keyboard.insertText("slow")
+  await page.keyboard.press("Enter")
+  await dialog.getByRole("button", {name: "Duplicate slow"}).click()
+  await dialog.getByRole("button", {name: "Delete slow", exact: true}).click()
+  await expect(cards).toHaveCount(2)
+  await dialog.getByRole("button", {name: "Undo"}).click()
+  await expect(cards).toHaveCount(3)
+  // The open program goes, too, and a new one takes its place.
+  await dialog.getByRole("button", {name: "Delete accelerateAndPlay"}).click()
+  await expect(cards).toHaveCount(2)
+  await learner.keeps("my-programs")
+  await cards.filter({hasText: "slow 2"}).locator(".opens").click()
+  await expect(learner.haskell()).toContainText("Velocity 0.25")
+  await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("slow 2")
+  await page.reload()
+  await expect(learner.haskell()).toContainText("Velocity 0.25")
+  await page.getByRole("button", {name: "My programs"}).click()
+  await page.getByText("Deleted programs").click()
+  await dialog.getByRole("button", {name: "Restore accelerateAndPlay"}).click()
+  await cards.filter({hasText: "accelerateAndPlay"}).locator(".opens").click()
+  await expect(learner.haskell()).toContainText("vl + 0.75")
+})
 
 test("a program that is open in two tabs stays one program, until both change it at once", async ({
   page,

@@ -3,10 +3,7 @@
 import {writeFile} from "node:fs/promises"
 import {expect, type Locator, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const title = "To the ring"
 const lesson = {

@@ -5,7 +5,7 @@ import type {Page} from "@playwright/test"
 
 const standard = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa"]
 
-/// What axe has against a part of the page, or all of it. What blocks look like is drawn, and `families.test.ts` holds its
+/// What axe has against a part of the page, or all of it. What blocks look like is drawn, and `editor/test/blocks/theme.test.ts` holds its
 /// contrast.
 export async function faults(page: Page, part = "body"): Promise<readonly string[]> {
   const {violations} = await new AxeBuilder({page})
@@ -58,6 +58,46 @@ export function cutBlocks(page: Page): Promise<readonly string[]> {
       return fits ? [] : [path.getAttribute("aria-label") ?? "a block"]
     })
   })
+}
+
+/// Controls and words in the bars at the top of the page, of the regions and below the room that lie over each other, and words that are cut off; a program's name may be.
+export function crowded(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() => {
+    const parts = [
+      ...document.querySelectorAll<HTMLElement>(
+        ":is(.topbar, .region-head, .roombar, .timebar) :is(button, input, select, h1, h2, .saved, .state, .clock)",
+      ),
+    ].filter(one => one.checkVisibility() && getComputedStyle(one).clipPath === "none")
+    const name = (one: HTMLElement) => one.ariaLabel ?? one.textContent ?? one.tagName
+    const over = parts.flatMap((one, i) => {
+      const a = one.getBoundingClientRect()
+      return parts.slice(i + 1).flatMap(other => {
+        const b = other.getBoundingClientRect()
+        const across = Math.min(a.right, b.right) - Math.max(a.left, b.left)
+        const down = Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top)
+        return across > 1 && down > 1 ? [`${name(one)} and ${name(other)}`] : []
+      })
+    })
+    const isCut = (one: HTMLElement) =>
+      one.tagName !== "INPUT" &&
+      (one.scrollWidth > one.clientWidth + 1 || one.scrollHeight > one.clientHeight + 1)
+    const words = parts.flatMap(one => [one, ...one.querySelectorAll<HTMLElement>("span")])
+    return [...over, ...words.filter(isCut).map(one => `${name(one)} is cut off`)]
+  })
+}
+
+/// Where the parts of the page are, in pixels.
+export function places(page: Page): Promise<readonly string[]> {
+  return page.evaluate(() =>
+    [
+      ...document.querySelectorAll(
+        ".topbar > :not(.space), .region, .canvas-host, .timebar, .timebar button, .tabs",
+      ),
+    ].map(one => {
+      const {x, y, width, height} = one.getBoundingClientRect()
+      return `${one.tagName} ${one.classList[0]}: ${[x, y, width, height].map(Math.round).join()}`
+    }),
+  )
 }
 
 /// Lines of the Haskell that are higher than the lowest one: they are wrapped.

@@ -1,14 +1,10 @@
 /// A program is changed after a run: where the robot would drive, in words and as a path, and when that is not shown.
 
 import {AxeBuilder} from "@axe-core/playwright"
-import {expect, type Page} from "@playwright/test"
+import {expect, type Locator, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner, screenshot} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(2, daily, import.meta.url)
+import {test} from "./story.ts"
 
 const spoken = (page: Page) => page.getByTestId("preview-spoken")
 
@@ -71,41 +67,40 @@ test("a preview ends with the program, and can be switched off for good", async 
   await page.getByLabel("Show where a change leads").check()
 })
 
-/// Drags the grip of the open number so many pixels to the right, in small moves, and lets it go unless it is to be held.
-async function dragsNumber(page: Page, right: number, lets = true): Promise<void> {
-  const grip = page.getByTestId("number-grip")
-  const box = await boxAtRest(grip)
+/// Drags the middle of an element so many pixels to the right, in small moves, and lets it go unless it is to be held.
+async function drags(page: Page, dragged: Locator, right: number, lets = true): Promise<void> {
+  const box = await boxAtRest(dragged)
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
   await page.mouse.down()
   await page.mouse.move(box.x + box.width / 2 + right, box.y + box.height / 2, {steps: 8})
   if (lets) await page.mouse.up()
 }
 
-everyFourth(
-  "a number is dragged in its block and in the text, the path follows, and each drag is one step back",
-  async ({page}) => {
-    const learner = await ranIntoTheWall(page)
-    const note = page.getByTestId("preview")
-    await learner.number("0.5").click()
-    await dragsNumber(page, -240, false)
-    // The path is there before the button is released.
-    await expect(learner.haskell()).toContainText("vl + (-0.3)")
-    await expect(note).toHaveText(/further left/)
-    await page.screenshot({path: screenshot("preview-drag")})
-    await page.mouse.up()
-    await page.keyboard.press("Enter")
-    await expect(learner.haskell()).toContainText("vl + (-0.3)")
-    await page.getByRole("button", {name: "Undo", exact: true}).click()
-    await expect(learner.haskell()).toContainText("vl + 0.5")
-    await expect(note).toBeHidden()
+/// Pixels for fifteen steps of 0.05.
+const way = -58
 
-    await learner.findsInHaskell("0.5")
-    await page.keyboard.press("ArrowLeft")
-    await dragsNumber(page, -240)
-    await expect(learner.haskell()).toContainText("vl + (-0.3)")
-    await expect(learner.number("-0.3")).toBeVisible()
-    await expect(note).toHaveText(/further left/)
-    await page.getByRole("button", {name: "Undo", exact: true}).click()
-    await expect(learner.haskell()).toContainText("vl + 0.5")
-  },
-)
+test("a number is dragged in its block and in the text, the path follows, and each drag is one step back", async ({
+  page,
+}) => {
+  const learner = await ranIntoTheWall(page)
+  const note = page.getByTestId("preview")
+  await drags(page, learner.number("0.5"), way, false)
+  // The path is there before the button is released.
+  await expect(learner.haskell()).toContainText("vl + (-0.25)")
+  await expect(note).toHaveText(/further left/)
+  await page.screenshot({path: screenshot("preview-drag")})
+  await page.mouse.up()
+  await expect(learner.haskell()).toContainText("vl + (-0.25)")
+  await page.getByRole("button", {name: "Undo", exact: true}).click()
+  await expect(learner.haskell()).toContainText("vl + 0.5")
+  await expect(note).toBeHidden()
+
+  await learner.findsInHaskell("0.5")
+  await page.keyboard.press("ArrowLeft")
+  await drags(page, page.getByTestId("number-grip"), way)
+  await expect(learner.haskell()).toContainText("vl + (-0.25)")
+  await expect(learner.number("-0.25")).toBeVisible()
+  await expect(note).toHaveText(/further left/)
+  await page.getByRole("button", {name: "Undo", exact: true}).click()
+  await expect(learner.haskell()).toContainText("vl + 0.5")
+})

@@ -3,10 +3,7 @@
 import {writeFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 test("changing a number block changes the Haskell at once, and the next run", async ({page}) => {
   const learner = new Learner(page)
@@ -21,7 +18,7 @@ test("changing a number block changes the Haskell at once, and the next run", as
   await learner.stops()
 })
 
-daily("a mistake is explained and mended in the language of the page", async ({page}) => {
+test("a mistake is explained and mended in the language of the page", async ({page}) => {
   const learner = new Learner(page)
   await page.goto("/?example=move&lang=de")
   await expect(learner.haskell()).toContainText("simulate")

@@ -131,9 +131,6 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await hands.puts("left:", "velocity:")
   await hands.writes(field.speed, "0", "last")
   await hands.writes(field.turning, "-0.5", "last")
-
-  await hands.takesUp("the program: simulate")
-  await hands.puts("drawSquare")
 }
 
 /// A type with one constructor of the same name.
@@ -194,9 +191,10 @@ export async function mux(hands: Hands): Promise<void> {
   await hands.writes(field.speed, "0.2", "last")
   await hands.writes(field.turning, "0.2", "last")
 
+  // The reaction runs since it was made.
   await hands.takesUp("the program: simulate")
   await hands.presses(/^run one more$/, 2)
-  await hands.puts("button", "circle", "muxVelocity")
+  await hands.puts("circle", "muxVelocity")
 }
 
 export async function randomWalk(hands: Hands): Promise<void> {
@@ -281,7 +279,8 @@ export async function randomWalk(hands: Hands): Promise<void> {
   await hands.throws(field.turning, "last")
   await hands.puts("speed", "right:", "Memory:", "Go")
 
+  // The three reactions run since they were made.
   await hands.takesUp("the program: simulate")
-  await hands.presses(/^run one more$/, 4)
-  await hands.puts("bumper", "cliff", "wheel", "chgdir", "spin")
+  await hands.presses(/^run one more$/, 2)
+  await hands.puts("chgdir", "spin")
 }

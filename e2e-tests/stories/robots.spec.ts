@@ -6,11 +6,7 @@ import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
 import {openRig, type Rig} from "./robot.ts"
 import {root} from "./service.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(1, daily, import.meta.url)
+import {test} from "./story.ts"
 
 const rosy = join(root, "rosy")
 
@@ -45,7 +41,7 @@ class Driver extends Learner {
   }
 }
 
-daily("chooses a robot, sees it connect, runs, watches it move, and stops it", async ({page}) => {
+test("chooses a robot, sees it connect, runs, watches it move, and stops it", async ({page}) => {
   const learner = new Driver(page)
   await learner.arrives()
   await learner.takes("Anna")
@@ -121,46 +117,46 @@ test("sees the simulated robot drive beside the real one, and reads what was dif
   await expect(page.getByTestId("robotbar")).toHaveCount(0)
 })
 
-everyFourth(
-  "looks at a recorded run again, scrubs it and asks why, and opens its file in another page",
-  async ({page, browser}) => {
-    const learner = new Driver(page)
-    await learner.arrives()
-    await learner.takes("Anna")
-    await learner.drives()
-    await until(learner.robot("x"), x => x > 0.3)
-    rig.base.ask("bump 4")
-    await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
-    rig.base.ask("bump 0")
-    await learner.stops()
-    const again = page.getByTestId("robotbar").getByRole("button", {name: "Look at this run again"})
-    await expect(again).toHaveAttribute("title", /\/recordings\/.*-Kitchen\.mcap$/)
-    const file = /(\/\S+\.mcap)$/.exec((await again.getAttribute("title")) ?? "")?.[1] ?? ""
-    await again.click()
-    await asksOfRecording(learner)
-    await learner.keeps("recording")
-    await page.getByRole("button", {name: "Let go"}).press("Enter")
+test("looks at a recorded run again, scrubs it and asks why, and opens its file in another page", async ({
+  page,
+  browser,
+}) => {
+  const learner = new Driver(page)
+  await learner.arrives()
+  await learner.takes("Anna")
+  await learner.drives()
+  await until(learner.robot("x"), x => x > 0.3)
+  rig.base.ask("bump 4")
+  await expect(learner.console()).toContainText("Bumper LeftBumper Pressed")
+  rig.base.ask("bump 0")
+  await learner.stops()
+  const again = page.getByTestId("robotbar").getByRole("button", {name: "Look at this run again"})
+  await expect(again).toHaveAttribute("title", /\/recordings\/.*-Kitchen\.mcap$/)
+  const file = /(\/\S+\.mcap)$/.exec((await again.getAttribute("title")) ?? "")?.[1] ?? ""
+  await again.click()
+  await asksOfRecording(learner)
+  await learner.keeps("recording")
+  await page.getByRole("button", {name: "Let go"}).press("Enter")
 
-    // Without a robot, and with another program open.
-    const other = new Driver(await browser.newPage())
-    await other.page.goto(rig.address)
-    await expect(other.haskell()).toContainText("simulate")
-    await other.page.getByRole("button", {name: "More", exact: true}).click()
-    await opensFile(other, file)
-    await expect(other.page.getByText("Run 1 had another program.")).toBeVisible()
-    await other.page.getByRole("button", {name: "Show its program"}).click()
-    await expect(other.haskell()).toContainText("move ::")
-    await asksOfRecording(other)
-    await other.keeps("recording-file")
-    // What is no recording, is said so.
-    await other.page.getByRole("tab", {name: "Runs"}).click()
-    await opensFile(other, join(root, "LICENSE"))
-    await expect(other.page.getByTestId("notice")).toContainText(
-      "LICENSE is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
-    )
-    await other.page.close()
-  },
-)
+  // Without a robot, and with another program open.
+  const other = new Driver(await browser.newPage())
+  await other.page.goto(rig.address)
+  await expect(other.haskell()).toContainText("simulate")
+  await other.page.getByRole("button", {name: "More", exact: true}).click()
+  await opensFile(other, file)
+  await expect(other.page.getByText("Run 1 had another program.")).toBeVisible()
+  await other.page.getByRole("button", {name: "Show its program"}).click()
+  await expect(other.haskell()).toContainText("move ::")
+  await asksOfRecording(other)
+  await other.keeps("recording-file")
+  // What is no recording, is said so.
+  await other.page.getByRole("tab", {name: "Runs"}).click()
+  await opensFile(other, join(root, "LICENSE"))
+  await expect(other.page.getByTestId("notice")).toContainText(
+    "LICENSE is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.",
+  )
+  await other.page.close()
+})
 
 async function opensFile(learner: Driver, file: string): Promise<void> {
   const chosen = learner.page.waitForEvent("filechooser")
@@ -226,7 +222,7 @@ test("another page sees who has the robot, and takes it when it is free", async 
   await other.page.close()
 })
 
-daily("the emergency stop works on its button, on the space bar, and from a terminal", async ({page}) => {
+test("the emergency stop works on its button, on the space bar, and from a terminal", async ({page}) => {
   const learner = new Driver(page)
   await learner.arrives()
   await learner.takes("Anna")

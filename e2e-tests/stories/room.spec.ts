@@ -4,11 +4,7 @@ import {expect, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
 import {drags, Floor, type Place} from "./floor.ts"
 import {Learner, until} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(3, daily, import.meta.url)
+import {test} from "./story.ts"
 
 /// What reads alike for a second: most frames that were on their way have come, and the robot has rolled out.
 async function standsStill<T>(read: () => Promise<T>): Promise<T> {
@@ -81,32 +77,29 @@ class Workshop {
   }
 }
 
-daily(
-  "a learner draws a wall and a box, drags, undoes, and the robot bumps into the wall",
-  async ({page}) => {
-    const learner = new Learner(page)
-    const workshop = new Workshop(page)
-    await learner.opens("move")
-    await workshop.opens()
-    await workshop.takes("Wall")
-    await workshop.drags([0.6, 0.3], [0.6, 0.7])
-    await expect(workshop.told()).toHaveText(/^Wall 1 from 3 m, .* to 3 m/)
-    await workshop.takes("Box to push")
-    await workshop.drags([0.4, 0.7], [0.45, 0.8])
-    await expect(workshop.told()).toHaveText(/^Box 1 at/)
-    const before = await workshop.told().textContent()
-    await workshop.drags([0.425, 0.75], [0.5, 0.85])
-    await expect(workshop.told()).not.toHaveText(before ?? "")
-    await page.keyboard.press("Control+z")
-    await expect(workshop.told()).toHaveText(before ?? "")
-    await learner.keeps("workshop")
-    await workshop.isDone()
-    await learner.runs()
-    await expect(learner.robot("bumpers")).toHaveText("centre")
-    await until(learner.robot("x"), x => x > 2.7 && x < 2.85)
-    await learner.stops()
-  },
-)
+test("a learner draws a wall and a box, drags, undoes, and the robot bumps into the wall", async ({page}) => {
+  const learner = new Learner(page)
+  const workshop = new Workshop(page)
+  await learner.opens("move")
+  await workshop.opens()
+  await workshop.takes("Wall")
+  await workshop.drags([0.6, 0.3], [0.6, 0.7])
+  await expect(workshop.told()).toHaveText(/^Wall 1 from 3 m, .* to 3 m/)
+  await workshop.takes("Box to push")
+  await workshop.drags([0.4, 0.7], [0.45, 0.8])
+  await expect(workshop.told()).toHaveText(/^Box 1 at/)
+  const before = await workshop.told().textContent()
+  await workshop.drags([0.425, 0.75], [0.5, 0.85])
+  await expect(workshop.told()).not.toHaveText(before ?? "")
+  await page.keyboard.press("Control+z")
+  await expect(workshop.told()).toHaveText(before ?? "")
+  await learner.keeps("workshop")
+  await workshop.isDone()
+  await learner.runs()
+  await expect(learner.robot("bumpers")).toHaveText("centre")
+  await until(learner.robot("x"), x => x > 2.7 && x < 2.85)
+  await learner.stops()
+})
 
 test("a changed room is kept with the program, and comes back after a reload", async ({page}) => {
   const learner = new Learner(page)
@@ -215,37 +208,34 @@ test("hands take the robot, turn it, press and lift it, and push a box, while it
   await learner.stops()
 })
 
-everyFourth(
-  "the clock stands, makes single steps, goes on, and the run can be looked back at",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await learner.opens("forwardBackward")
-    // Two steps for each frame: the clock stops as often at a step without a frame as at one with.
-    await page.getByLabel("Speed", {exact: true}).selectOption("2")
-    await learner.runs()
-    await until(learner.robot("time"), time => time > 1)
-    await page.getByRole("button", {name: "Pause"}).click()
-    await expect(learner.status()).toHaveText("Paused")
-    let stood = 0
-    // Once more when a frame from before the pause came late.
-    await expect(async () => {
-      stood = Number(await standsStill(() => learner.robot("time").textContent()))
-      for (let i = 0; i < 3; i++) await page.getByRole("button", {name: /^One step/}).click()
-      await expect(learner.robot("time")).toHaveText((stood + 0.06).toFixed(2), {timeout: 5000})
-    }).toPass()
-    const x = Number(await learner.robot("x").textContent())
-    const line = page.getByRole("slider", {name: "Look back in the run"})
-    await line.fill("0.5")
-    await expect(learner.status()).toHaveText("Looking back")
-    // The last picture until then: a busy machine does not get all fifty a second.
-    await until(learner.robot("time"), now => now < 0.521)
-    await until(learner.robot("x"), then => then < x - 0.1)
-    await learner.keeps("looking-back")
-    await page.getByRole("button", {name: "Go on"}).click()
-    await until(learner.robot("time"), now => now > stood + 0.5)
-    await learner.stops()
-  },
-)
+test("the clock stands, makes single steps, goes on, and the run can be looked back at", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("forwardBackward")
+  // Two steps for each frame: the clock stops as often at a step without a frame as at one with.
+  await page.getByLabel("Speed", {exact: true}).selectOption("2")
+  await learner.runs()
+  await until(learner.robot("time"), time => time > 1)
+  await page.getByRole("button", {name: "Pause"}).click()
+  await expect(learner.status()).toHaveText("Paused")
+  let stood = 0
+  // Once more when a frame from before the pause came late.
+  await expect(async () => {
+    stood = Number(await standsStill(() => learner.robot("time").textContent()))
+    for (let i = 0; i < 3; i++) await page.getByRole("button", {name: /^One step/}).click()
+    await expect(learner.robot("time")).toHaveText((stood + 0.06).toFixed(2), {timeout: 5000})
+  }).toPass()
+  const x = Number(await learner.robot("x").textContent())
+  const line = page.getByRole("slider", {name: "Look back in the run"})
+  await line.fill("0.5")
+  await expect(learner.status()).toHaveText("Looking back")
+  // The last picture until then: a busy machine does not get all fifty a second.
+  await until(learner.robot("time"), now => now < 0.521)
+  await until(learner.robot("x"), then => then < x - 0.1)
+  await learner.keeps("looking-back")
+  await page.getByRole("button", {name: "Go on"}).click()
+  await until(learner.robot("time"), now => now > stood + 0.5)
+  await learner.stops()
+})
 
 test("the same run again is the same to the last digit on a slippery floor; Run has new luck", async ({
   page,

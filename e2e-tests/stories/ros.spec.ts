@@ -3,11 +3,7 @@
 import {expect, type Page} from "@playwright/test"
 import {Ros, Topic} from "roslib"
 import {Learner, screenshot, until} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(0, daily, import.meta.url)
+import {test} from "./story.ts"
 
 /// The link in the menu names the session.
 async function handLink(page: Page): Promise<string> {
@@ -17,44 +13,43 @@ async function handLink(page: Page): Promise<string> {
   return href ?? ""
 }
 
-everyFourth(
-  "roslib lists the topics, hears the robot, drives it into the wall and sees the bump",
-  async ({page}) => {
-    const learner = new Learner(page)
-    await learner.opens("move")
-    const session = new URL(await handLink(page), page.url()).searchParams.get("session")
-    const ros = new Ros()
-    await ros.connect(`${page.url().replace(/^http/, "ws").replace(/\?.*/, "")}rosbridge/${session}`)
-    const topics = await new Promise<{topics: string[]; types: string[]}>((found, lost) =>
-      ros.getTopics(found, lost),
-    )
-    const types = Object.fromEntries(topics.topics.map((name, i) => [name, topics.types[i]]))
-    expect(types["/odom"]).toBe("nav_msgs/Odometry")
-    expect(types["/mobile_base/commands/velocity"]).toBe("geometry_msgs/Twist")
+test("roslib lists the topics, hears the robot, drives it into the wall and sees the bump", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  const session = new URL(await handLink(page), page.url()).searchParams.get("session")
+  const ros = new Ros()
+  await ros.connect(`${page.url().replace(/^http/, "ws").replace(/\?.*/, "")}rosbridge/${session}`)
+  const topics = await new Promise<{topics: string[]; types: string[]}>((found, lost) =>
+    ros.getTopics(found, lost),
+  )
+  const types = Object.fromEntries(topics.topics.map((name, i) => [name, topics.types[i]]))
+  expect(types["/odom"]).toBe("nav_msgs/Odometry")
+  expect(types["/mobile_base/commands/velocity"]).toBe("geometry_msgs/Twist")
 
-    const hear = <T>(name: string) =>
-      new Promise<T>(heard => new Topic<T>({ros, name, messageType: types[name] ?? ""}).subscribe(heard))
-    expect(await hear<{state: number}>("/mobile_base/events/robot_state")).toEqual({state: 1})
-    const bump = hear<{bumper: number; state: number}>("/mobile_base/events/bumper")
-    const velocity = new Topic({
-      ros,
-      name: "/mobile_base/commands/velocity",
-      messageType: "geometry_msgs/Twist",
-    })
-    const drive = setInterval(
-      () => velocity.publish({linear: {x: 0.7, y: 0, z: 0}, angular: {x: 0, y: 0, z: 0}}),
-      100,
-    )
-    try {
-      await until(learner.robot("speed"), v => v > 0.6)
-      expect(await bump).toEqual({bumper: 1, state: 1})
-    } finally {
-      clearInterval(drive)
-      ros.close()
-    }
-    await expect(learner.robot("bumpers")).toHaveText("centre")
-  },
-)
+  const hear = <T>(name: string) =>
+    new Promise<T>(heard => new Topic<T>({ros, name, messageType: types[name] ?? ""}).subscribe(heard))
+  expect(await hear<{state: number}>("/mobile_base/events/robot_state")).toEqual({state: 1})
+  const bump = hear<{bumper: number; state: number}>("/mobile_base/events/bumper")
+  const velocity = new Topic({
+    ros,
+    name: "/mobile_base/commands/velocity",
+    messageType: "geometry_msgs/Twist",
+  })
+  const drive = setInterval(
+    () => velocity.publish({linear: {x: 0.7, y: 0, z: 0}, angular: {x: 0, y: 0, z: 0}}),
+    100,
+  )
+  try {
+    await until(learner.robot("speed"), v => v > 0.6)
+    expect(await bump).toEqual({bumper: 1, state: 1})
+  } finally {
+    clearInterval(drive)
+    ros.close()
+  }
+  await expect(learner.robot("bumpers")).toHaveText("centre")
+})
 
 test("the page that drives by hand goes with keys and with a finger, and stops when let go", async ({
   page,

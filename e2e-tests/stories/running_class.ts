@@ -36,8 +36,8 @@ export class RunningClass {
     return RunningClass.serve(mkdtempSync(join(tmpdir(), "rosy-classes-")), "0")
   }
 
-  private static async serve(folder: string, port: string): Promise<RunningClass> {
-    const options = ["--class", "7b", "--host", "127.0.0.1", "--port", port]
+  private static async serve(folder: string, port: string, name = "7b"): Promise<RunningClass> {
+    const options = ["--class", name, "--host", "127.0.0.1", "--port", port]
     const service = startService(options, {...process.env, ROSY_CLASSES: folder})
     const [, address] = await service.says(/Rosy is ready at (\S+)\//)
     const [, code] = await service.says(/Class code +(\S+)/)
@@ -50,9 +50,24 @@ export class RunningClass {
     await this.service.ends("SIGKILL")
   }
 
+  /// The laptop's lid is closed: the service does nothing, and its connections stay.
+  standsStill(): void {
+    this.service.process.kill("SIGSTOP")
+  }
+
+  goesOn(): void {
+    this.service.process.kill("SIGCONT")
+  }
+
   /// The same class at the same address, after its service has died.
   startsAgain(): Promise<RunningClass> {
     return RunningClass.serve(this.folder, new URL(this.address).port)
+  }
+
+  /// Another class, or this one again, at the same address: the next lesson on the same laptop.
+  async gives(name: string): Promise<RunningClass> {
+    await this.service.ends()
+    return RunningClass.serve(this.folder, new URL(this.address).port, name)
   }
 
   async ends(): Promise<void> {

@@ -3,10 +3,7 @@
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {Learner, screenshot, until} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const rows = (page: Page) => page.getByRole("tree", {name: "Runs"}).getByRole("treeitem")
 

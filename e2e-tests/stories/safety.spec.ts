@@ -2,10 +2,7 @@
 
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 test("the safety rules are one switch above the room, and the page says when they take over", async ({
   page,

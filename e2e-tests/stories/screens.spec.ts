@@ -3,13 +3,9 @@
 
 import {expect, type Page} from "@playwright/test"
 import {wholeChromium} from "../../editor/test/chromium.ts"
-import {rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
-import {covered, cutBlocks, excessWidth, faults, wrappedLines} from "./page_faults.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {covered, crowded, cutBlocks, excessWidth, faults, places, wrappedLines} from "./page_faults.ts"
+import {test} from "./story.ts"
 
 /// The headless shell draws letters a little wider than the browser that people have.
 test.use({
@@ -85,8 +81,7 @@ async function atRest(page: Page, colorScheme: string): Promise<void> {
   })
 }
 
-// One of the sizes each day; `./rosy test nightly` looks at all.
-for (const size of rotated(sizes, sizes.length))
+for (const size of sizes)
   test(`the screens of the first hour at ${size.width} by ${size.height}`, async ({page}, info) => {
     await page.setViewportSize(size)
     await page.emulateMedia({reducedMotion: "reduce"})
@@ -122,5 +117,38 @@ test("the examples of the first level fit into a window of 1440 by 900, and no l
     await expect.poll(() => cutBlocks(page), name).toEqual([])
     // The font of the Haskell may come later than its text.
     await expect.poll(() => wrappedLines(page), name).toEqual([])
+  }
+})
+
+test("on a small laptop nothing is cut off or covered in five languages, and a run moves nothing", async ({
+  browser,
+}, info) => {
+  for (const language of ["en", "de", "fr", "es", "pt"]) {
+    // A program that is opened again has the place and size of before.
+    const context = await browser.newContext({
+      viewport: {width: 1366, height: 768},
+      reducedMotion: "reduce",
+      baseURL: info.project.use.baseURL!,
+    })
+    const page = await context.newPage()
+    const looks = async (when: string) => {
+      await page.screenshot({path: info.outputPath(`${language}-${when}.png`)})
+      await expect.poll(() => cutBlocks(page), `${language} ${when}`).toEqual([])
+      await expect.poll(() => crowded(page), `${language} ${when}`).toEqual([])
+    }
+    await page.goto(`/?lang=${language}&example=accelerateAndPlay`)
+    await expect(page.locator(".blocklyBlockCanvas > .blocklyDraggable").first()).toBeVisible()
+    await expect(page.getByTestId("run")).toBeEnabled()
+    await looks("ready")
+    const before = await places(page)
+    await page.getByTestId("run").click()
+    await expect(page.getByTestId("console")).toContainText("ErrorSound")
+    await looks("running")
+    expect(await places(page), language).toEqual(before)
+    await page.getByTestId("run").click()
+    await expect(page.locator(".state.stopped")).toBeVisible()
+    await looks("stopped")
+    expect(await places(page), language).toEqual(before)
+    await context.close()
   }
 })

@@ -3,10 +3,7 @@
 import {readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner, until} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 test("the picture follows the robot by a button and by a key, until the learner asks for all of the room", async ({
   page,

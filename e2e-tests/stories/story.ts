@@ -7,7 +7,8 @@
 /// Without a GPU each frame is composed by the processor. At 60 frames per second this takes more than the page, the service
 /// and the programs together, and no story depends on the rate. The first frame after a pause comes at once.
 
-import {type Browser, type BrowserContext, test as base, type Page} from "@playwright/test"
+import {type Browser, type BrowserContext, test as base, expect, type Page} from "@playwright/test"
+import {takeViolations, watchOrigins} from "./own_origin.ts"
 
 /// Milliseconds between two frames.
 const interval = 50
@@ -68,6 +69,7 @@ async function delayAnswers(context: BrowserContext): Promise<void> {
 
 async function prepare(context: BrowserContext): Promise<BrowserContext> {
   await limitFrameRate(context)
+  watchOrigins(context)
   if (lateness > 0) await delayAnswers(context)
   // A page that closes at once needs no throttling.
   if (slowness !== 1) context.on("page", page => void slowDown(page).catch(() => {}))
@@ -94,11 +96,13 @@ export const test = base.extend<{readonly leftContexts: void}>({
     {scope: "worker"},
   ],
   // Contexts that a story has opened by itself stay open with the browser: their pages would go on drawing, and looking for a
-  // service that has ended, beside the stories that follow.
+  // service that has ended, beside the stories that follow. None of them has asked anything of another computer.
   leftContexts: [
     async ({browser}, use) => {
+      takeViolations()
       await use()
       await Promise.all(browser.contexts().map(context => context.close()))
+      expect(takeViolations()).toEqual([])
     },
     {auto: true},
   ],

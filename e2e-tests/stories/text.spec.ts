@@ -2,22 +2,19 @@
 
 import {readFileSync, writeFileSync} from "node:fs"
 import {expect, type Page} from "@playwright/test"
+import {isNightly} from "../../codegen/test/extent.ts"
 import {boxAtRest, drawn} from "./at_rest.ts"
-import {isFull} from "./extent.ts"
 import {Finger} from "./finger.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 const source = (example: string) =>
   readFileSync(new URL(`../../examples/${example}/Main.hs`, import.meta.url), "utf8")
 
-// The shorter one daily: the longer one has a thousand keys more.
+// The longer one has a thousand keys more.
 const typed = [
   {example: "forwardBackward", defined: ["bump", "forwardBackward"]},
-  ...(isFull ? [{example: "drawSquare", defined: ["drawSquare", "move", "turn", "runTurn", "gone"]}] : []),
+  ...(isNightly ? [{example: "drawSquare", defined: ["drawSquare", "move", "turn", "runTurn", "gone"]}] : []),
 ]
 for (const {example, defined} of typed) {
   test(`${example}, typed key by key, becomes blocks and drives`, async ({page}) => {
@@ -113,7 +110,7 @@ test("a comment survives an edit of another definition in blocks", async ({page}
     .toContain("-- Ouch!   (do not touch)\n\nplay :: Bumper -> Maybe Sound\n")
 })
 
-daily("undo and redo walk through the edits of both views in their order", async ({page}) => {
+test("undo and redo walk through the edits of both views in their order", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")
   const [first, second] = await learner.takesAStep()
@@ -173,7 +170,7 @@ test("misspelt, not imported, without a type: Ctrl and the full stop mend it whe
   await page.keyboard.press("Escape")
   await page.keyboard.press("Control+.")
   await expect(learner.haskell()).toContainText("import Data.Char (toUpper)")
-  await expect(page.getByTestId("problems")).toContainText("No problems.")
+  await expect(page.getByTestId("problems")).toHaveText(/^greet is never used\./)
   await page.keyboard.press("Control+End")
   await page.keyboard.press("Control+.")
   await expect(learner.haskell()).toContainText("greet :: Bumper -> Say")
@@ -299,18 +296,23 @@ test("what is no program is refused with a sentence; text from elsewhere opens a
     writeFileSync(path, content)
     await learner.opensFile(path)
   }
+  const pastes = (text: string) =>
+    learner.haskell().evaluate((pane, content) => {
+      const clipboardData = new DataTransfer()
+      clipboardData.setData("text/plain", content)
+      pane.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true, cancelable: true}))
+    }, text)
   const notice = page.getByRole("alert").or(page.locator(".notice"))
   await opens("program.py", 'print("hello")\n')
   await expect(notice).toContainText("program.py is not a program.")
   await opens("huge.hs", "x = 1 -- and so on\n".repeat(250_000))
   await expect(notice).toContainText("huge.hs is too large.")
-  await learner.haskell().evaluate(pane => {
-    const clipboardData = new DataTransfer()
-    clipboardData.setData("text/plain", "x = 1 -- and so on\n".repeat(20_000))
-    pane.dispatchEvent(new ClipboardEvent("paste", {clipboardData, bubbles: true, cancelable: true}))
-  })
+  await pastes("x = 1 -- and so on\n".repeat(20_000))
   await expect(notice).toContainText("The pasted text is too large.")
-  await opens("picture.hs", new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0xff, 0xfe]))
+  await opens(
+    "picture.hs",
+    new Uint8Array([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a, 0x00, 0x00, 0x00, 0x0d]),
+  )
   await expect(notice).toContainText("picture.hs does not hold text.")
   await expect.poll(() => learner.haskellText()).toBe(before)
   await opens(
@@ -321,6 +323,23 @@ test("what is no program is refused with a sentence; text from elsewhere opens a
   await expect
     .poll(() => learner.haskellText())
     .toContain("import Data.List (sort)\n\n-- Größe\ngröße :: Double")
+  await opens("tracks.lhs", "It drives.\n\n> onward :: Velocity\n> onward = Velocity 0.2 0\n\nThat is all.\n")
+  await expect.poll(() => learner.haskellText()).toContain("-- It drives.\n\nonward :: Velocity\n")
+  await expect(learner.definition("onward")).toBeVisible()
+  await opens("document.hs", "-- 1 – 2\nsize = 2 – 1 × 3\n")
+  await expect(notice).toContainText(
+    "document.hs has 2 characters that look right and are not. The first: ‘–’ (en dash) for ‘-’.",
+  )
+  await pastes("twice = 3 − 1 -- −\n")
+  await expect(notice).toContainText(
+    "The pasted text has one character that looks right and is not: ‘−’ (minus sign) for ‘-’.",
+  )
+  await page.getByRole("button", {name: "Repair"}).click()
+  await expect.poll(() => learner.haskellText()).toContain("twice = 3 - 1 -- −\n-- 1 – 2\nsize = 2 – 1 × 3")
+  await expect(page.getByRole("button", {name: "Repair"})).toBeHidden()
+  await page.getByRole("button", {name: "Undo"}).click()
+  await expect.poll(() => learner.haskellText()).toContain("twice = 3 − 1")
   await opens("empty.hs", "")
-  await expect.poll(() => learner.haskellText()).toBe("")
+  await expect(notice).toContainText("empty.hs is empty.")
+  await expect(learner.definition("size")).toBeVisible()
 })

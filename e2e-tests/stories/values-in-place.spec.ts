@@ -3,10 +3,7 @@
 import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {Learner} from "./learner.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 const inText = (page: Page, line: string) => page.locator(".cm-line", {hasText: line}).locator(".hs-value")
 const onBlock = (learner: Learner, name: string) => learner.definition(name).locator("> .rosyValue > text")

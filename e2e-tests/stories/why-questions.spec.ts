@@ -1,25 +1,42 @@
-/// The questions of `sim-service/tests/system/questions.md`, asked in the page: the sentences, the blocks, the lines, the nodes of the diagram and
-/// the moments of each answer. One page for all runs of the day; `./rosy test nightly` plays them all.
+/// Questions of `sim-service/tests/system/questions.md`, one for each kind of question and of sentence in an answer, asked in the page: the sentences, the blocks, the lines, the nodes of the diagram and
+/// the moments of each answer. One page for all runs.
 
 import {expect, type Locator, type Page} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
-import {rotated} from "./extent.ts"
 import {Learner} from "./learner.ts"
 import {
   type AskedQuestion,
   ControlledRuns,
   type DefinedNames,
   definedIn,
+  type QuestionedRun,
   type QuestionTimes,
   questionedRuns,
 } from "./questions.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
+import {test} from "./story.ts"
 
-const test = inTurn(story, import.meta.url)
+/// A question or a sentence without its names, code and numbers.
+const kindOf = (sentence: string) =>
+  sentence
+    .replace(/`[^`]*`/g, "…")
+    .replace(/\*\*\w+\*\*/g, "…")
+    .replace(/[\d.]+/g, "…")
 
-/// Each day some of the runs, nightly all of them.
-const runs = rotated(questionedRuns(), 11)
+/// The runs with those of their questions that have a kind of sentence which none before had. The service answers all of them without a page
+/// (`sim-service/tests/system/test_questions.py`).
+function withNewKinds(runs: readonly QuestionedRun[]): readonly QuestionedRun[] {
+  const seen = new Set<string>()
+  const isNew = ({text, answer}: AskedQuestion): boolean => {
+    const before = seen.size
+    for (const sentence of [text, ...answer]) seen.add(kindOf(sentence))
+    return seen.size > before
+  }
+  return runs
+    .map(run => ({...run, questions: run.questions.filter(isNew)}))
+    .filter(({questions}) => questions.length > 0)
+}
+
+const runs = withNewKinds(questionedRuns())
 
 const why = (page: Page) => page.getByTestId("why")
 const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
@@ -224,8 +241,13 @@ class Asker {
 
   /// By a node of the diagram; a command that no function sends is asked about in the table of sensors.
   async asksOfNode(kind: "command" | "memory" | "event", type: string, question: string): Promise<void> {
-    const kinds = {command: "command", memory: "store", event: "channel"}
-    const node = diagram(this.#page).locator(`[data-node$="${kinds[kind]}:${type}"]`)
+    // An event of the robot or of the program.
+    const kinds = {command: ["command"], event: ["event", "channel"]}
+    const node =
+      kind === "memory"
+        ? // The node is called as the program writes the type, which may be a synonym.
+          diagram(this.#page).locator('[data-node*="store:"]').filter({hasText: type})
+        : diagram(this.#page).locator(kinds[kind].map(of => `[data-node$="${of}:${type}"]`).join(", "))
     if (type === "Say" && (await node.count()) === 0) {
       await this.#asksOfSpeech()
       return

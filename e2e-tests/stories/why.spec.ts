@@ -4,11 +4,7 @@ import {AxeBuilder} from "@axe-core/playwright"
 import {expect, type Page} from "@playwright/test"
 import {Floor} from "./floor.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {everyFourthDay, inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
-const everyFourth = everyFourthDay(3, daily, import.meta.url)
+import {test} from "./story.ts"
 
 const answer = (page: Page) => page.getByTestId("why-answer")
 /// A coordinate of the robot, as its readout says it.
@@ -16,7 +12,7 @@ const metres = async (learner: Learner, what: "x" | "y") =>
   Number.parseFloat((await learner.robot(what).textContent()) ?? "")
 const time = String.raw`\d+\.\d\d s`
 
-everyFourth("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
+test("the robot backs off from a wall: why, and one step back to the bumper", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("forwardBackward")
   await page.getByRole("button", {name: "Diagram", exact: true}).click()
@@ -28,7 +24,7 @@ everyFourth("the robot backs off from a wall: why, and one step back to the bump
   // The sentences.
   await expect(answer(page)).toContainText(new RegExp(`^At ${time} forwardBackward sent Velocity`))
   await expect(answer(page)).toContainText(
-    new RegExp(`Memory Bool was True since ${time}: bump remembered it\\.`),
+    new RegExp(`Memory Hit was True since ${time}: bump remembered it\\.`),
   )
   await expect(answer(page)).toContainText("In forwardBackward the guard hit held.")
   // The path in the blocks, the text, the diagram, and on the time line.
@@ -129,7 +125,7 @@ test("shown values ask why: in the text, on blocks, in the diagram, and by key; 
     await expect(heading).toHaveCount(0)
   }
   const inText = (line: string) => page.locator(".cm-line", {hasText: line}).locator(".hs-value")
-  const memory = "Why does Memory Bool have its value?"
+  const memory = "Why does Memory Hit have its value?"
   await asks(memory, () => inText("type Hit").click())
   await asks("Why did bump run?", () => inText("bump ::").click())
   await asks(memory, () => learner.definition("Hit").locator("> .rosyValue").click())

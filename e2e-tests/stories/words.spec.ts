@@ -7,10 +7,7 @@ import {expect, type Page} from "@playwright/test"
 import {knownNames, toolbox} from "@rosy/codegen"
 import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
-import {test as daily} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(daily, import.meta.url)
+import {test} from "./story.ts"
 
 const words = (text: string): readonly string[] => text.match(/[A-Za-z]{3,}/g) ?? []
 
@@ -214,16 +211,6 @@ test("from right to left a program is built by hand and runs", async ({page}) =>
   const ready = page.locator(".blocklyFlyout .blocklyBlockCanvas > .blocklyDraggable").first()
   await drag(page, edge(await boxAtRest(ready)), {x: main.x + main.width - 8, y: main.y + main.height + 60})
   await expect(blocks).toHaveCount(2)
-  const name = page.locator(".blocklySvg .rosyBinder", {hasText: "move"})
-  const socket = await boxAtRest(
-    page.locator(".blocklySvg .blocklyDraggable:has(> [aria-roledescription*=simulate])"),
-  )
-  const from = await boxAtRest(name)
-  await drag(
-    page,
-    {x: from.x + from.width / 2, y: from.y + from.height / 2},
-    {x: socket.x + socket.width - 100, y: socket.y + 26},
-  )
   await expect(learner.haskell()).toContainText("main = simulate move")
 
   await learner.runsUntil("speed", v => v > 0.3)
@@ -247,7 +234,7 @@ async function drag(page: Page, from: Spot, to: Spot): Promise<void> {
   await page.mouse.up()
 }
 
-daily("German is chosen in the menu, spoken after that, and remembered", async ({page}) => {
+test("German is chosen in the menu, spoken after that, and remembered", async ({page}) => {
   await page.goto("/?example=accelerateAndPlay")
   await expect(new Learner(page).haskell()).toContainText("simulate")
   await page.locator(".menu > button").last().click()

@@ -5,10 +5,7 @@ import {readdirSync, readFileSync} from "node:fs"
 import {expect} from "@playwright/test"
 import {Learner} from "./learner.ts"
 import {startService, type Talker} from "./service.ts"
-import {test as story} from "./story.ts"
-import {inTurn} from "./turns.ts"
-
-const test = inTurn(story, import.meta.url)
+import {test} from "./story.ts"
 
 let service: Talker
 let address = ""

@@ -1,4 +1,6 @@
 /// Measures the block view with 500 and with 2,000 blocks. Prints milliseconds; asserts nothing.
+///
+/// An edit among 2,000 blocks took 10.2 to 11.3 ms at best and 24 to 41 in the median on two busy cores; the goal of 8 ms in the median is not met.
 
 import type {Page} from "playwright-core"
 import {openStage, settled} from "../test/blocks/browser.ts"

@@ -10,10 +10,10 @@ import "@fontsource/inter/700.css"
 import "@fontsource/jetbrains-mono/500.css"
 import * as codegen from "@rosy/codegen"
 import * as Blockly from "blockly/core"
-import {type BlocksView, openBlocks} from "../src/blocks/index.ts"
-import {openClipboard} from "../src/blocks/interaction/clipboard.ts"
 import {fetchReader} from "../src/browser/remote_resources.ts"
-import {readHaskell, withBlocks} from "../src/controller/document_conversion.ts"
+import {readHaskell, withBlocks} from "../src/controller/document/document_conversion.ts"
+import {type BlocksView, openBlocks} from "../src/views/blocks/index.ts"
+import {openClipboard} from "../src/views/blocks/interaction/clipboard.ts"
 import {sample, small} from "../test/blocks/small_language.ts"
 
 declare global {

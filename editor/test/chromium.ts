@@ -8,6 +8,7 @@
 /// 1.6 s in the whole browser). Debian has it as a package of its own; where it is not installed, the whole browser is started.
 
 import {existsSync} from "node:fs"
+import {isNightly} from "../../codegen/test/extent.ts"
 
 /// Not `/usr/bin/chromium-headless-shell`, a script that would outlive the browser when a test kills it.
 const headlessShell = "/usr/lib/chromium/chromium-headless-shell"
@@ -16,8 +17,6 @@ const headlessShell = "/usr/lib/chromium/chromium-headless-shell"
 export const wholeChromium: string = process.env["ROSY_CHROMIUM"] ?? "/usr/bin/chromium"
 
 /// Nightly runs, and those without the shell, take the whole browser.
-const isNightly = Number(process.env["ROSY_TEST_SHARE"] ?? 0.1) >= 1
-
 export const chromiumPath: string =
   process.env["ROSY_CHROMIUM"] === undefined && !isNightly && existsSync(headlessShell)
     ? headlessShell

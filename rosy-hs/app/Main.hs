@@ -20,11 +20,12 @@ module Main (main) where
 import Control.Concurrent (forkIO)
 import Control.Concurrent.STM
 import Control.Exception (finally)
-import Control.Monad (forM_, unless, void)
+import Control.Monad (unless, void)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import qualified Data.ByteString.Lazy as L
 import Data.Foldable (traverse_)
+import Data.Maybe (listToMaybe)
 import qualified Data.Text as T
 import qualified Data.Text.IO as T
 import Foreign.C.Types (CInt)
@@ -32,13 +33,13 @@ import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
 import Rosy.Robots.ArmPrompt (startArmPrompt)
-import Rosy.Robots.Connection (Connection (..))
+import Rosy.Robots.Connection (Connection (..), neverRan)
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
 import Rosy.Robots.LinkRecorder (beginRecording, recordLines, recordedConnection, withRecorder)
 import Rosy.Robots.LockstepRun
 import Rosy.Robots.RobotProcess
-import Rosy.Robots.RobotRun (onSignals, runAfter, terminationSignals, withConnection)
+import Rosy.Robots.RobotRun (onSignals, sayUnreadable, terminationSignals, withConnection)
 import Rosy.Robots.Target
 import Rosy.Robots.Wording (inTerminal, tellPerson)
 import Rosy.Sentence
@@ -93,7 +94,6 @@ driveOnce recording address fd seconds limits = do
   began <- getMonotonicTime
   stopWanted <- newTVarIO False
   guarded <- newTVarIO (targetGuard target)
-  forM_ seconds (`runAfter` atomically (writeTVar stopWanted True))
   pace <- realPace (stepLimit limits)
   served <- withDriverLock address . withConnection target $ \plain -> withRecorder $ \recorder -> do
     traverse_ (beginRecording recorder) recording
@@ -101,8 +101,8 @@ driveOnce recording address fd seconds limits = do
         observer = (onTerminal (connectionName connection)) {onLines = recordLines recorder}
     startArmPrompt (connectionName connection) guarded
     let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
-    onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace observer (readTVar stopWanted) (targetPatience target) guarded connection socket)
-      `finally` sendHalt
+    onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace observer (readTVar stopWanted) (listToMaybe seconds) (targetPatience target) guarded connection socket)
+      `finally` (sendHalt >> sayUnreadable connection)
   ended <- getMonotonicTime
   report limits (ended - began) served
 
@@ -137,6 +137,7 @@ report limits wall served = do
     Died -> ("error", ExitFailure 2) <$ tellPerson (tr "The program has died, so the robot was stopped.")
     -- The observer has said why.
     RobotRefused _ -> pure ("error", ExitFailure 2)
+    NeverRan -> ("error", ExitFailure 2) <$ tellPerson neverRan
     RobotLost why -> ("error", ExitFailure 2) <$ tellPerson (trWith "The robot is gone: {why}." ["why" =@ why])
   putStrLn $
     ("{\"time\":" ++ show (fromIntegral (stepsRun served) / 50 :: Double) ++ ",\"pose\":" ++ maybe "null" pose (lastPose served))

@@ -98,6 +98,10 @@ module Rosy
     mkStdGen,
     split,
 
+    -- * One before the other
+    priority,
+    Priority,
+
     -- * One thing after another
     Task,
     task,
@@ -113,6 +117,13 @@ module Rosy
     turn,
     driveUntil,
     driveUntilBump,
+    driveBack,
+    turnBetween,
+    goTo,
+    curveUntilObstacle,
+    randomNumber,
+    dice,
+    eitherOr,
     blink,
     beep,
 

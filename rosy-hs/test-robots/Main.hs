@@ -23,7 +23,6 @@ import qualified Test.Robots.Target
 import qualified Test.Robots.Telemetry
 import qualified Test.Robots.Wording
 import Test.Tasty
-import Test.Turns (Day, today)
 
 main :: IO ()
 main =
@@ -32,11 +31,12 @@ main =
     ["--drive", url, name] -> either (die . T.unpack . english . explainTargetError) (\t -> runOnRobot t (byName name) >>= exitWith) (readTarget url)
     -- Hours on a bad cable, one for each of these numbers.
     ["--hours", from, to] -> forM_ [read from .. read to] $ \seed -> putStrLn (show seed ++ ": " ++ show (anHour seed) ++ " wrong")
-    _ -> today ["rosy-hs/robots/", "rosy-hs/test-robots/"] >>= suite
+    _ -> defaultMain suite
 
-suite :: Day -> IO ()
-suite day =
-  defaultMain . testGroup "robots" $
+suite :: TestTree
+suite =
+  testGroup
+    "robots"
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Distance.tests,
@@ -44,5 +44,5 @@ suite day =
       Test.Robots.BuiltProgram.tests,
       Test.Robots.Telemetry.tests,
       Test.Robots.Wording.tests,
-      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests day ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
+      withReady (\ready -> testGroup "robots that are not" [Test.Robots.Links.tests ready, Test.Robots.Same.tests ready, Test.Robots.Motion.tests ready])
     ]

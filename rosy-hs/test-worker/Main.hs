@@ -7,7 +7,6 @@ module Main (main) where
 import Rosy ()
 import Test.Tasty (defaultMain, localOption, testGroup)
 import Test.Tasty.Runners (NumThreads (..))
-import Test.Turns (today)
 import Test.Worker.Client (withWorker)
 import qualified Test.Worker.DeclaredTypes as DeclaredTypes
 import qualified Test.Worker.Gallery as Gallery
@@ -27,5 +26,4 @@ main = withWorker [] $ \worker -> do
   gallery <- Gallery.tests (pure worker)
   conversations <- Conversation.tests (pure worker)
   graphs <- Graphs.tests (pure worker)
-  day <- today ["rosy-hs/worker/", "rosy-hs/test-worker/"]
-  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, Remember.tests, Page.tests, Time.tests, conversations, graphs, gallery, Places.tests (pure worker), DeclaredTypes.tests (pure worker), Life.tests day (pure worker), Prepared.tests day (pure worker)]))
+  defaultMain (localOption (NumThreads 1) (testGroup "worker" [Wire.tests, Remember.tests, Page.tests, Time.tests, conversations, graphs, gallery, Places.tests (pure worker), DeclaredTypes.tests (pure worker), Life.tests (pure worker), Prepared.tests (pure worker)]))

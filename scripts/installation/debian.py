@@ -17,8 +17,9 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from rosy_sim.sentences.sentence import tr
+from rosy_sim.version import VERSION
 
-from .installed_tree import TreeError, copy_tree, haskell_build, is_elf
+from .installed_tree import TreeError, copy_tree, haskell_build, is_elf, source_date, this_system
 
 __all__ = ["make_deb"]
 
@@ -129,13 +130,11 @@ def _output(*command: str) -> str:
 
 
 def _version(root: Path) -> str:
-    """The version in rosy.cabal and the time of the last change, so that a newer build replaces an older one."""
-    found = re.search(r"^version:\s*(\S+)", (root / "rosy.cabal").read_text(), re.MULTILINE)
-    if found is None:
-        raise TreeError(tr("{file} has no version.", file="rosy.cabal"))
-    done = subprocess.run(["git", "-C", str(root), "log", "-1", "--format=%ct"], capture_output=True, text=True, check=False)
-    seconds = int(done.stdout) if done.returncode == 0 and done.stdout.strip() else int((root / "CHANGELOG.md").stat().st_mtime)
-    return f"{found.group(1)}+{time.strftime('%Y%m%d.%H%M', time.gmtime(seconds))}"
+    """
+    The version of Rosy, the time of the last change, so that a newer build replaces an older one, and the system, which
+    the name of the package's file then shows.
+    """
+    return f"{VERSION}+{time.strftime('%Y%m%d.%H%M', time.gmtime(source_date(root)))}+{this_system().tag}"
 
 
 def _dependencies(root: Path, tree: Path) -> list[str]:

@@ -15,22 +15,57 @@ import py_compile
 import re
 import shutil
 import subprocess
+from dataclasses import dataclass
 from pathlib import Path
 
 from rosy_sim.sentences.sentence import SentenceError, tr
 
-__all__ = ["TreeError", "copy_tree", "haskell_build", "is_elf", "package_versions"]
+__all__ = ["System", "TreeError", "copy_tree", "haskell_build", "is_elf", "package_versions", "source_date", "this_system"]
 
-_COPIED = ("rosy", "LICENSE", "scripts/lib", "scripts/help", "protocol", "examples", "editor/dist", "codegen/dist", ".rosy/api-docs")
+_COPIED = ("rosy", "rosy.cabal", "LICENSE", "scripts/lib", "scripts/help", "protocol", "examples", "editor/dist", "codegen/dist", ".rosy/api-docs")
 """Copied as they are."""
 
 _EXECUTABLES = ("rosy-worker", "rosy-robot", "rosy-build")
 
-_IGNORED = shutil.ignore_patterns("__pycache__", "tests", ".keep")
+_IGNORED = shutil.ignore_patterns("__pycache__", "tests", "bench", ".keep")
 
 
 class TreeError(SentenceError):
     """The tree cannot be made."""
+
+
+@dataclass(frozen=True)
+class System:
+    """The system that packages are made on and for."""
+
+    # For the reader: "Debian GNU/Linux 12 (bookworm)".
+    name: str
+    # For names of files: "debian12", "ubuntu24.04"; a release without a version by its code name, "debianforky".
+    tag: str
+    # Debian's name of the processor architecture: "amd64", "arm64".
+    architecture: str
+
+
+def this_system(release: str | None = None, machine: str | None = None) -> System:
+    """From the text of /etc/os-release (os-release(5)) and the machine that uname(2) reports, those of this system by default."""
+    text = Path("/etc/os-release").read_text() if release is None else release
+    fields = {name: value.strip("\"'") for name, value in re.findall(r"^([A-Z_]+)=(.*)$", text, re.MULTILINE)}
+    kind = os.uname().machine if machine is None else machine
+    tag = fields.get("ID", "linux") + fields.get("VERSION_ID", fields.get("VERSION_CODENAME", ""))
+    return System(fields.get("PRETTY_NAME", "Linux"), tag, {"x86_64": "amd64", "aarch64": "arm64"}.get(kind, kind))
+
+
+def source_date(root: Path) -> int:
+    """
+    The time that packages give to what they hold, in seconds since 1970.
+
+    It is ``SOURCE_DATE_EPOCH`` (reproducible-builds.org), else that of the last change.
+    """
+    named = os.environ.get("SOURCE_DATE_EPOCH", "")
+    if named.isdecimal():
+        return int(named)
+    done = subprocess.run(["git", "-C", str(root), "log", "-1", "--format=%ct"], capture_output=True, text=True, check=False)
+    return int(done.stdout) if done.returncode == 0 and done.stdout.strip() else int((root / "CHANGELOG.md").stat().st_mtime)
 
 
 def copy_tree(root: Path, target: Path) -> None:

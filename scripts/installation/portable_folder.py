@@ -4,7 +4,8 @@ without the right to install anything.
 
 Beside the tree (see `installed_tree`) it holds GHC's library folder with the packages that programs may import, the shared
 libraries of C that they need, Python, and bubblewrap. Nothing in it is a symbolic link, because a stick's file system may have none.
-The machine needs the same kind of processor, a C library at least as new, and a browser. `rosy build` needs GHC and stays away.
+The machine needs neither a C compiler nor bubblewrap, but the same kind of processor, a C library at least as new, and a
+browser. `rosy build` needs GHC and stays away.
 """
 
 from __future__ import annotations
@@ -20,9 +21,9 @@ from pathlib import Path
 from rosy_sim.sentences.sentence import tr
 from rosy_sim.sentences.wording import in_terminal
 
-from .installed_tree import TreeError, copy_tree, is_elf
+from .installed_tree import TreeError, copy_tree, is_elf, this_system
 
-__all__ = ["make_folder"]
+__all__ = ["copy_packages", "make_folder"]
 
 _SKIPPED = shutil.ignore_patterns("*.a", "*.p_*", "*_p.a", "package.conf.d", "html", "doc", "bin")
 
@@ -41,7 +42,7 @@ def make_folder(root: Path, target: Path) -> None:
     libdir = Path(_output("ghc", "--print-libdir").strip()).resolve()
     ghc = target / "ghc"
     shutil.copytree(libdir, ghc, ignore=_SKIPPED, symlinks=False)
-    _copy_packages(libdir, target / "dist-newstyle", ghc)
+    copy_packages(libdir, target / "dist-newstyle", ghc)
     _copy_python(target / "python-home")
     (target / "bin").mkdir()
     bubblewrap = shutil.which("bwrap")
@@ -53,46 +54,71 @@ def make_folder(root: Path, target: Path) -> None:
 
 def _readme() -> str:
     """What the folder says about itself, in the language of this machine."""
+    system = this_system()
     start = in_terminal(tr("Open a terminal in this folder and type"))
     then = in_terminal(tr("Then open the address that it prints. Nothing is installed and no internet is needed."))
-    kind = in_terminal(tr("The machine needs to be of the kind that this folder was made on: {system}.", system=_system()))
+    kind = in_terminal(tr("The machine needs to be of the kind that this folder was made on: {system}.", system=f"{system.name}, {system.architecture}"))
     otherwise = in_terminal(tr("If the stick does not allow programs to start, copy the folder to the machine first."))
     return f"{in_terminal(tr('Rosy on a stick'))}\n\n{start}\n\n    ./rosy start\n\n{then}\n{kind}\n{otherwise}\n"
 
 
-def _copy_packages(libdir: Path, built: Path, ghc: Path) -> None:
-    """Descriptions and libraries of all packages that Rosy's libraries and GHC's own depend on, with relative paths."""
-    descriptions = {file.stem: file.read_text() for file in (libdir / "package.conf.d").resolve().glob("*.conf")}
-    wanted = [unit for file in built.glob("packagedb/*/rosy-*.conf") for unit in _units(file.read_text(), descriptions)]
+def copy_packages(libdir: Path, built: Path, ghc: Path) -> None:
+    """
+    Descriptions and libraries of all packages that Rosy's libraries and GHC's own depend on, with relative paths.
+
+    Raises:
+        TreeError: a package has no description.
+    """
+    rosy = [file.read_text() for file in built.glob("packagedb/*/rosy-*.conf")]
+    descriptions = _by_id([_read(file) for file in sorted((libdir / "package.conf.d").resolve().glob("*.conf"))])
+    # Rosy's libraries have descriptions of their own in the tree.
+    own = _by_id(rosy).keys()
+    wanted = [unit for text in rosy for unit in _depends(text)]
     # Packages in the compiler's own folder are all taken: the compiler is linked with them.
-    wanted += [unit for unit, text in descriptions.items() if str(libdir) in text]
+    wanted += [unit for unit, text in descriptions.items() if f"{libdir}/" in text]
     # The worker is linked with packages that no learner's program sees.
     wanted += [unit for unit in descriptions if _is_linked(unit, built)]
     database = ghc / "package.conf.d"
     database.mkdir()
-    done: set[str] = set()
+    done: set[str] = set(own)
     while wanted:
         unit = wanted.pop()
         if unit in done:
             continue
         done.add(unit)
+        if unit not in descriptions:
+            raise TreeError(tr("GHC has no description of the package {name}.", name=unit))
         text = descriptions[unit]
-        wanted += _units(text, descriptions)
+        wanted += _depends(text)
+        text = re.sub(r"^haddock-(interfaces|html):[^\n]*\n(\s+\S+\n)*", "", text, flags=re.MULTILINE)
+        # For these GHC asks a C compiler where they are. The packages' own shared libraries name them.
+        text = re.sub(r"^extra-(?:ghci-)?libraries(?:-static)?:[^\n]*\n([ \t]+[^\n]*\n)*", "", text, flags=re.MULTILINE)
         for folder in sorted(set(re.findall(r"(/\S*/haskell-packages/\S+)", text))):
-            if "/share/doc/" in folder or "haddock" in folder:
-                continue
             _copy_library_folder(Path(folder), unit, ghc / "packages")
-        text = text.replace(str(libdir), "${pkgroot}")
+        text = re.sub(rf"{re.escape(str(libdir))}(?=[/\s])", "${pkgroot}", text)
         text = re.sub(r"/\S*/haskell-packages/ghc/lib", "${pkgroot}/packages", text)
-        text = re.sub(r"^haddock-(interfaces|html):\n?(\s+\S+\n)*", "", text, flags=re.MULTILINE)
         (database / f"{unit}.conf").write_text(text)
     _output("ghc-pkg", "--no-user-package-db", "--package-db", str(database), "recache")
 
 
-def _units(text: str, known: dict[str, str]) -> list[str]:
-    """Units that a description depends on, without those that have none of their own (Rosy's)."""
-    found = re.search(r"^depends:((?:.*\n)(?:\s+.*\n)*)", text, re.MULTILINE)
-    return [unit for unit in (found.group(1).split() if found else []) if unit in known]
+def _read(file: Path) -> str:
+    """A description with every path in its shortest form: newer GHCs write ``/usr/lib/ghc/lib/../lib/base``."""
+    return re.sub(r"(?<=\s)/\S+", lambda path: os.path.normpath(path.group()), file.read_text())
+
+
+def _by_id(descriptions: list[str]) -> dict[str, str]:
+    """
+    Package descriptions by the id that other descriptions depend on, such as ``aeson-2.1.2.1-H8BOQwtT8HYFvWPR1b6zvB``.
+
+    A description's file need not be named like it: Debian leaves out the hash.
+    """
+    return {found.group(1): text for text in descriptions if (found := re.search(r"^id:\s*(\S+)", text, re.MULTILINE))}
+
+
+def _depends(text: str) -> list[str]:
+    """Ids of the packages that a description depends on."""
+    found = re.search(r"^depends:((?:.*\n)(?:[ \t]+.*\n)*)", text, re.MULTILINE)
+    return found.group(1).split() if found else []
 
 
 def _is_linked(unit: str, built: Path) -> bool:
@@ -141,12 +167,6 @@ def _copy_system_libraries(target: Path) -> None:
             copy = target / "lib" / name
             if name not in inside and not name.startswith(_SYSTEM_LIBRARIES) and not copy.exists():
                 shutil.copy2(Path(path).resolve(), copy)
-
-
-def _system() -> str:
-    """Name of this system, for the reader."""
-    found = re.search(r'^PRETTY_NAME="?([^"\n]+)', Path("/etc/os-release").read_text(), re.MULTILINE)
-    return f"{found.group(1) if found else 'Linux'}, {os.uname().machine}"
 
 
 def _output(*command: str) -> str:

@@ -29,6 +29,9 @@ need() {
     *" cluster "*)
       give_up "this is an installed Rosy. A cluster needs its source: git clone it, and run ./rosy there."
       ;;
+    *" ros2 "*)
+      give_up "this is an installed Rosy. A robot on ROS 2 needs its source: git clone it, and run ./rosy there. Or use rosbridge: ws://HOST:9090."
+      ;;
     *" builder "*)
       if [ -d "$ROSY_ROOT/python-home" ]; then
         give_up "programs for a robot's computer cannot be built from a stick. Install Rosy on this machine for that."

@@ -107,7 +107,7 @@ check_disk() {
 # check_port PORT: a port in use would end the start after all the work.
 check_port() {
   if [ "$1" != 0 ] && (exec 3<>"/dev/tcp/127.0.0.1/$1") 2>/dev/null; then
-    lacks "$(sentence "Port {port} is in use." port "$1")" "./rosy start --port $(($1 + 1))"
+    give_up "port {port} is in use, perhaps by another Rosy. Use another one: {command}" port "$1" command "./rosy start --port $(($1 + 1))"
   fi
 }
 
@@ -133,15 +133,21 @@ python_index() {
     PYTHONPATH="$wheels" "$python" -c 'from pip._internal.models.index import PyPI; print(PyPI.url)' 2>/dev/null
 }
 
-# A server that cannot be found or reached. Any answer of it will do.
+# Servers that cannot be found or reached, and those whose certificate this machine does not know, with "!" before them.
+# Any answer of a server will do. curl(1), EXIT CODES.
 check_network() {
-  local server status
+  local server status answer=(curl --silent --location --head --output /dev/null --connect-timeout 2 --max-time 4)
   command -v curl >/dev/null || return 0
   while read -r server; do
     status=0
-    curl --silent --location --head --output /dev/null --connect-timeout 2 --max-time 4 "$server" || status=$?
+    "${answer[@]}" "$server" || status=$?
+    if [ "$status" = 60 ] && [ -n "${NODE_EXTRA_CA_CERTS:-}" ]; then
+      status=0
+      "${answer[@]}" --cacert "$NODE_EXTRA_CA_CERTS" "$server" || status=$?
+    fi
     case "$status" in
       5 | 6 | 7 | 28) echo "$server" ;;
+      60) echo "!$server" ;;
     esac
   done
 }
@@ -158,7 +164,7 @@ page_can_stay() {
 # preflight STEPS PORT: `apt_pending` holds the Debian packages that are missing.
 preflight() {
   pending=$1
-  local port=$2 seconds=0 download=0 disk=0 s d m step offline old=
+  local port=$2 seconds=0 download=0 disk=0 s d m step network offline unknown old=
   for step in $pending; do
     read -r s d m < <(cost_of "$step")
     seconds=$((seconds + s)) download=$((download + d)) disk=$((disk + m))
@@ -175,9 +181,10 @@ preflight() {
     case " $pending " in *" haskell "*) check_ghc ;; esac
   fi
   check_disk "$disk"
-  [ -z "$port" ] || check_port "$port"
-  offline=$(tr '\n' ' ' <&4)
+  network=$(cat <&4)
   exec 4<&-
+  offline=$(sed '/^!/d' <<<"$network" | tr '\n' ' ' | sed 's/^ *$//')
+  unknown=$(sed -n 's/^!//p' <<<"$network" | tr '\n' ' ')
   keeps_page=""
   if [ -n "$offline" ] && page_can_stay; then
     # shellcheck disable=SC2034  # read by setup.sh
@@ -188,11 +195,14 @@ preflight() {
   fi
   [ -z "$offline" ] || lacks "$(sentence "There is no way to the network: {servers} cannot be reached, and {megabytes} MB are to be downloaded." servers "${offline% }" megabytes "$download")" \
     "$(sentence "Connect this machine, or set https_proxy, and try again.")"
+  [ -z "$unknown" ] || lacks "$(sentence "The certificate of {servers} is not known to this machine; a school's proxy may have put its own in its place." servers "${unknown% }")" \
+    "$(sentence "Ask for the proxy's certificate, and name its file: {command}" command "NODE_EXTRA_CA_CERTS=FILE.crt PIP_CERT=FILE.crt ./rosy start")"
   if [ "${#missing[@]}" -gt 0 ]; then
     printf 'rosy: %s\n' "$(sentence "this is missing:")" >&2
     printf '  - %s\n' "${missing[@]}" >&2
     exit 1
   fi
+  [ -z "$port" ] || check_port "$port"
   # shellcheck disable=SC2034  # read by steps.sh
   seconds_planned=$seconds
   if [ "$seconds" -ge 20 ]; then

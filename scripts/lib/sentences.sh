@@ -85,3 +85,6 @@ help_page() {
   [ -d "$folder" ] || folder="$ROSY_ROOT/scripts/help/en"
   case "$1" in "" | */*) ;; *) [ ! -f "$folder/$1.txt" ] || printf '%s\n' "$folder/$1.txt" ;; esac
 }
+
+# rosy_version: the version of this Rosy; its only source is rosy.cabal.
+rosy_version() { sed -n 's/^version: *//p' "$ROSY_ROOT/rosy.cabal"; }

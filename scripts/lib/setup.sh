@@ -8,6 +8,8 @@
 #   need codegen   the conversions between blocks and Haskell, for Node
 #   need language-server  the same, and the page that explains every name, for other editors
 #   need cluster   Ray, for programs on many machines
+#   need ros2      DDS and Zenoh, for robots on ROS 2
+#   need packager  what lists the parts of the packages that are given away
 #   need tools     test tools: browser, linters, test libraries
 #
 # `need` first lists the steps that are still to be done, checks that they can succeed (preflight.sh), and then does them
@@ -39,11 +41,15 @@ mkdir -p "$HOME" "$ROSY_STATE/stamps" "$ROSY_STATE/log" "$CABAL_DIR"
 NODE_FOLDER="$ROSY_STATE/node"
 export PATH="$NODE_FOLDER/bin:$PATH"
 
+# Node does not read the certificates that the system was told to trust, such as that of a school's proxy.
+system_certificates=/etc/ssl/certs/ca-certificates.crt
+[ -n "${NODE_EXTRA_CA_CERTS:-}" ] || [ ! -r "$system_certificates" ] || export NODE_EXTRA_CA_CERTS="$system_certificates"
+
 # Debian packages. Each line has its reason in DECISIONS.md, "What we install".
 APT_RUNTIME="ghc cabal-install gcc libc6-dev libgmp-dev pkg-config
   libghc-aeson-dev libghc-websockets-dev libghc-random-dev libghc-network-dev libghc-async-dev
   libseccomp-dev bubblewrap"
-APT_TOOLS="chromium hlint ormolu shellcheck
+APT_TOOLS="chromium hlint ormolu shellcheck faketime
   libghc-quickcheck2-dev libghc-tasty-dev libghc-tasty-hunit-dev libghc-tasty-quickcheck-dev libghc-reactive-banana-dev"
 
 # Ubuntu has Chromium as a snap only, which neither a container nor a bare system runs: apt has nothing but a stub.
@@ -69,6 +75,8 @@ made() {
   case "$1" in
     venv) "$ROSY_PYTHON" -c '' 2>/dev/null ;;
     venv-cluster) "$ROSY_CLUSTER_PYTHON" -c '' 2>/dev/null && [ -x "$ROSY_STATE/venv-cluster/bin/ray" ] ;;
+    packager) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/cyclonedx" >/dev/null ;;
+    ros2) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/zenoh" >/dev/null ;;
     compiled) [ -d "$ROSY_STATE/compiled" ] ;;
     venv-tools) compgen -G "$ROSY_STATE/venv/lib/python3*/site-packages/pytest" >/dev/null ;;
     node) [ -x "$NODE_FOLDER/bin/node" ] ;;
@@ -95,6 +103,8 @@ print_of() {
     apt-tools) echo "$APT_TOOLS" ;;
     venv) checksum "$ROSY_ROOT/sim-service/requirements.lock" ;;
     venv-cluster) checksum "$ROSY_ROOT/sim-service/requirements-cluster.lock" ;;
+    packager) checksum "$ROSY_ROOT/sim-service/requirements-package.lock" ;;
+    ros2) checksum "$ROSY_ROOT/sim-service/requirements-ros2.lock" ;;
     venv-tools) checksum "$ROSY_ROOT/sim-service/requirements.lock" "$ROSY_ROOT/sim-service/requirements-test.lock" ;;
     # By their contents: a checkout that is the same again need not be compiled again.
     compiled)
@@ -111,7 +121,7 @@ print_of() {
     api-docs) fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json ;;
     # Without the tests: a page that is being used stays while they are edited.
     page)
-      fingerprint codegen/src editor/src editor/plugins editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
+      fingerprint rosy.cabal codegen/src editor/src editor/plugins editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
         examples docs rosy-hs/LANGUAGE.md rosy-hs/from-the-paper.md rosy-hs/robots/robot.md rosy-hs/worker/PROTECTION.md package-lock.json
       ;;
   esac
@@ -121,6 +131,8 @@ sentence_of() {
   case "$1" in
     venv) sentence "Installing the Python packages of the simulator." ;;
     venv-cluster) sentence "Installing Ray, which runs programs on many machines." ;;
+    packager) sentence "Installing what lists the parts of a package." ;;
+    ros2) sentence "Installing DDS and Zenoh, which robots on ROS 2 speak." ;;
     venv-tools) sentence "Installing the Python packages of the tests." ;;
     node) sentence "Installing Node." ;;
     npm) sentence "Installing the packages of the page." ;;
@@ -156,15 +168,21 @@ pip_install() {
 }
 # strip_debug FOLDER: removes the debug symbols of libraries, which are half of some packages. `strip` comes with GHC's packages.
 strip_debug() { ! command -v strip >/dev/null || find "$1" -type f -name '*.so' -exec strip --strip-debug {} + || true; }
+# Into the folder that is there, so that the packages of the tests stay; a new one when its Python or pip does not run any more.
 do_venv() {
-  rm -rf "$ROSY_STATE/venv" "$ROSY_STATE/stamps/venv-tools"
-  "$(find_python)" -m venv "$ROSY_STATE/venv" && pip_install -r "$ROSY_ROOT/sim-service/requirements.lock" && strip_debug "$ROSY_STATE/venv"
+  if ! "$ROSY_PYTHON" -m pip --version >/dev/null 2>&1; then
+    rm -rf "$ROSY_STATE/venv" "$ROSY_STATE/stamps/venv-tools"
+    "$(find_python)" -m venv "$ROSY_STATE/venv" || return
+  fi
+  pip_install -r "$ROSY_ROOT/sim-service/requirements.lock" && strip_debug "$ROSY_STATE/venv"
 }
 do_venv-cluster() {
   rm -rf "$ROSY_STATE/venv-cluster"
   "$(find_python)" -m venv "$ROSY_STATE/venv-cluster" &&
     ROSY_PYTHON="$ROSY_CLUSTER_PYTHON" pip_install -r "$ROSY_ROOT/sim-service/requirements-cluster.lock"
 }
+do_ros2() { pip_install -r "$ROSY_ROOT/sim-service/requirements-ros2.lock" && strip_debug "$ROSY_STATE/venv"; }
+do_packager() { pip_install -r "$ROSY_ROOT/sim-service/requirements-package.lock"; }
 do_venv-tools() { pip_install -r "$ROSY_ROOT/sim-service/requirements-test.lock" && strip_debug "$ROSY_STATE/venv"; }
 # The modules of the service that `rosy_sim/compiled_modules.py` lists, and those of the robots.
 compiled_sources() {
@@ -201,7 +219,14 @@ npm_install() {
   rm -rf "$cache"
   return "$status"
 }
-do_npm() { npm_install --omit=dev --include-workspace-root --workspace @rosy/codegen --workspace @rosy/editor; }
+# npm removes what it is not asked for: where the packages of the tests are, all are asked for.
+do_npm() {
+  if [ -f "$ROSY_STATE/stamps/npm-tools" ] && made npm-tools; then
+    do_npm-tools
+  else
+    npm_install --omit=dev --include-workspace-root --workspace @rosy/codegen --workspace @rosy/editor
+  fi
+}
 do_npm-tools() { npm_install; }
 do_chromium() {
   local part="$ROSY_STATE/chromium.part"
@@ -221,7 +246,17 @@ cabal_build() {
   [ ! -e "$unfinished" ] || find "$ROSY_ROOT/dist-newstyle/build" -type f \
     \( -path '*/cache/build' -o -newer "$unfinished" \( -name '*.so' -o -name '*.a' -o -perm -u+x \) \) -delete
   : >"$unfinished"
+  remove_other_versions
   (cd "$ROSY_ROOT" && cabal build --offline -j2 --disable-tests "$@") && rm "$unfinished"
+}
+
+# Builds of another version of Rosy: the worker would find two libraries of one name.
+remove_other_versions() {
+  local version path
+  version=$(rosy_version)
+  for path in "$ROSY_ROOT"/dist-newstyle/build/*/ghc-*/rosy-* "$ROSY_ROOT"/dist-newstyle/packagedb/ghc-*/rosy-*.conf; do
+    case "${path##*/}" in "rosy-$version" | "rosy-$version-"*) ;; *) rm -rf "$path" ;; esac
+  done
 }
 
 # await_cabal: waits while a cabal that was started by hand builds here; it has no lock of its own.
@@ -245,24 +280,6 @@ do_page() { (cd "$ROSY_ROOT" && npm run -s build -w @rosy/editor) && compress "$
 compress() { find "$1" -type f -regex '.*\.\(html\|js\|css\|json\|svg\|wasm\)' -size +1k -exec gzip -9 -k -f {} +; }
 
 node_is_usable() { command -v node >/dev/null && command -v npm >/dev/null && node -e "process.exit(Number(process.versions.node.split('.')[0]) < $NODE_OLDEST ? 1 : 0)" 2>/dev/null; }
-
-# steps_for PART...: the steps behind the parts, in order.
-steps_for() {
-  local part
-  for part in "$@"; do
-    case "$part" in
-      runtime) echo apt-runtime venv compiled haskell ;;
-      robot) echo robot ;;
-      builder) echo builder ;;
-      codegen) echo node npm codegen ;;
-      language-server) echo venv node npm codegen api-docs ;;
-      # The names of the language are explained by a page made with Python.
-      page) echo venv node npm codegen api-docs page ;;
-      cluster) echo venv-cluster ;;
-      tools) echo apt-tools venv venv-tools node npm-tools "$(! takes_npm_chromium || echo chromium)" ;;
-    esac
-  done
-}
 
 # is_needed STEP: whether the step has to be done, as far as can be told before the steps that it follows.
 is_needed() {
@@ -367,15 +384,15 @@ has_python_headers() {
   [ -z "$python" ] || "$python" -c 'import os, sys, sysconfig; sys.exit(not os.path.exists(os.path.join(sysconfig.get_path("include"), "Python.h")))' 2>/dev/null
 }
 
-# The tests go without a browser that this release does not have.
-install_browsers() {
-  local package known=""
+# install_if_known NAME PACKAGES: for the tests, which go without a package that this release does not have.
+install_if_known() {
+  local package known="" log=.rosy/log/apt-$1.log
   # shellcheck disable=SC2086
-  for package in $(missing_packages $APT_BROWSERS); do
+  for package in $(missing_packages $2); do
     ! apt-cache show "$package" >/dev/null 2>&1 || known="$known $package"
   done
   # shellcheck disable=SC2086
-  [ -z "$known" ] || apt_install $known >"$ROSY_STATE/log/apt-browsers.log" 2>&1 || say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages "${known# }" file .rosy/log/apt-browsers.log
+  [ -z "$known" ] || apt_install $known >"$ROSY_ROOT/$log" 2>&1 || say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages "${known# }" file "$log"
 }
 
 # install_packages STEP...: all missing packages of all steps at once.
@@ -389,7 +406,23 @@ install_packages() {
   fi
   # shellcheck disable=SC2086
   step "$name" "$(print_of "$name")" "$(sentence "Installing from Debian: {packages}" packages "$apt_pending")" apt_install $apt_pending
-  case " $* " in *" apt-tools "*) install_browsers ;; esac
+  case " $* " in *" apt-tools "*) install_if_known browsers "$APT_BROWSERS" ;; esac
+}
+
+# The tests go without DDS and Zenoh where they cannot be installed, and without the base that speaks another vendor's where this release does not have it.
+APT_ROS2="g++ libfastrtps-dev"
+install_ros2_for_tests() {
+  (need ros2) || say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages "DDS Zenoh" file .rosy/log/ros2.log
+  install_if_known ros2 "$APT_ROS2"
+}
+
+# The tests go without Caddy where this release does not have it. Its package is only unpacked: installed, it would serve port 80.
+unpack_caddy_for_tests() {
+  local folder="$ROSY_STATE/caddy"
+  if [ -x "$folder/usr/bin/caddy" ] || command -v caddy >/dev/null; then return; fi
+  rm -rf "$folder" && mkdir -p "$folder"
+  (cd "$folder" && apt-get download caddy && dpkg-deb -x caddy_*.deb . && rm -f caddy_*.deb) >"$ROSY_STATE/log/caddy.log" 2>&1 ||
+    say "Not installed, and left out by the tests: {packages}. The log is in {file}." packages Caddy file .rosy/log/caddy.log
 }
 
 # The tests go without Ray where it cannot be installed.

@@ -54,6 +54,26 @@ perform() {
   [ $((SECONDS - started)) -lt 3 ] || note "  $(sentence "done in {seconds} s" seconds "$((SECONDS - started))")"
 }
 
+# steps_for PART...: the steps behind the parts, in order.
+steps_for() {
+  local part
+  for part in "$@"; do
+    case "$part" in
+      runtime) echo apt-runtime venv compiled haskell ;;
+      robot) echo robot ;;
+      builder) echo builder ;;
+      codegen) echo node npm codegen ;;
+      language-server) echo venv node npm codegen api-docs ;;
+      # The names of the language are explained by a page made with Python.
+      page) echo venv node npm codegen api-docs page ;;
+      cluster) echo venv-cluster ;;
+      ros2) echo venv ros2 ;;
+      packager) echo venv packager ;;
+      tools) echo apt-tools venv venv-tools packager node npm-tools "$(! takes_npm_chromium || echo chromium)" ;;
+    esac
+  done
+}
+
 # What each step takes, for the estimate and the bar: seconds on two cores, megabytes downloaded, megabytes on disk.
 # Measured on Debian 12 with empty caches.
 cost_of() {
@@ -63,6 +83,8 @@ cost_of() {
     venv) echo 15 15 56 ;;
     venv-tools) echo 20 45 186 ;;
     venv-cluster) echo 40 90 330 ;;
+    ros2) echo 8 18 59 ;;
+    packager) echo 5 1 7 ;;
     node) echo 10 58 207 ;;
     npm) echo 20 62 147 ;;
     npm-tools) echo 25 100 291 ;;

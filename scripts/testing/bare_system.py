@@ -89,11 +89,11 @@ class System:
         self.run("git config --system --add safe.directory '*'")
         return ""
 
-    def run(self, script: str, user: str = "root", output: Path | None = None) -> int:
+    def run(self, script: str, user: str = "root", output: Path | None = None, network: bool = True) -> int:
         """
         Run a shell script in the system, with a /proc of its own; nothing that it starts stays.
 
-        The output goes to the log, and to ``output`` when one is given.
+        The output goes to the log, and to ``output`` when one is given. Without ``network`` there is not even this machine's own address.
         """
         exports = "".join(f"export {name}={shlex.quote(value)}; " for name, value in self.environment.items())
         inner = f"{exports}cd; {script}"
@@ -102,13 +102,13 @@ class System:
         # Not only chroot: the kernel gives no user namespace, and so no sandbox, to a user in a changed root.
         pivot = "pivot_root . . && umount -l ."
         enter = f"mount --bind {folder} {folder}; cd {folder}; {mounts}; {pivot} && exec chroot . su - {user} -c {shlex.quote(inner)}"
-        command = ["unshare", "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter]
+        command = ["unshare", *([] if network else ["--net"]), "--mount", "--pid", "--fork", "--kill-child", "bash", "-c", enter]
         return self._logged(command, output)
 
-    def text(self, script: str, user: str = "root") -> str:
+    def text(self, script: str, user: str = "root", network: bool = True) -> str:
         """What a script prints."""
         output = self.folder / "output"
-        self.run(script, user, output)
+        self.run(script, user, output, network)
         return output.read_text(errors="replace").strip()
 
     def remove(self) -> None:

@@ -1,9 +1,8 @@
 """
 All suites of the repository: static checks, unit tests and browser stories, in the order in which they should start.
 
-Suites with browsers, robots and limits of time come first and share the cores, with the build that those of Haskell wait for. What only computes runs in
-the background all the while: compilers, linters and tests that wait for nothing take the processor time which stories and robots leave. `cores` is what a
-suite keeps busy, not what it may use.
+Suites with browsers, robots and limits of time share the cores. What only computes runs in the background all the while, one suite at a time. `cores` is
+what a suite keeps busy, not what it may use.
 """
 
 from __future__ import annotations
@@ -14,9 +13,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from tracked_files import haskell_sources
-
-from .counts import by_exit, by_exit_or_left_out, json_report, own_script, pytest_summary, tasty_summary
+from .counts import by_exit, json_report, own_script, pytest_summary, tasty_summary
 from .scheduler import Suite
 
 __all__ = ["suites"]
@@ -33,9 +30,9 @@ SHELL_SCRIPTS = [
     ".ci/run",
 ]
 
-# Limits of a day's run (s), many times what a test and a suite take: they end what waits for ever, and name it. Nightly runs have none.
+# Limits (s), many times what a test and a suite take: they end what waits for ever, and name it. Nightly runs have none.
 TEST_LIMIT = 900
-SUITE_LIMIT = 2700
+SUITE_LIMIT = 4800
 
 # The Haskell benchmarks, which no other suite compiles; each is a program of its own.
 TYPES_OF_BENCHMARKS = """for program in Main Bytecode; do
@@ -43,9 +40,8 @@ TYPES_OF_BENCHMARKS = """for program in Main Bytecode; do
 done"""
 
 
-def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
-    """All suites; those of Haskell's linter and formatter look at `whole` sources, or at what changed since it passed."""
-    haskell = haskell_sources(root)
+def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
+    """All suites; nightly ones have no limits of time."""
 
     def vitest(name: str, background: bool = False) -> Suite:
         report = reports / f"{name}.json"
@@ -57,14 +53,13 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
     def check(name: str, *command: str) -> Suite:
         return Suite(name, command, by_exit, prints=False, background=True)
 
-    def changed(name: str, version: str, *command: str) -> Suite:
-        words = [PYTHON, "scripts/testing/changed_files.py", *(["whole"] if whole else []), name, "only", version, *command]
-        return Suite(name, words, by_exit_or_left_out, prints=False, background=True)
+    def style(name: str, *words: str) -> Suite:
+        return check(name, PYTHON, "scripts/haskell_style.py", *words)
 
     stories = reports / "e2e.json"
     short = reports / "browsers.json"
     # pytest then ends the process with the stacks of all its threads, and pytest-xdist names the test and goes on with the others.
-    hangs = [] if whole else ["-o", f"faulthandler_timeout={TEST_LIMIT}", "-o", "faulthandler_exit_on_timeout=true"]
+    hangs = [] if nightly else ["-o", f"faulthandler_timeout={TEST_LIMIT}", "-o", "faulthandler_exit_on_timeout=true"]
     built = frozenset({"build-hs"})
     listed = [
         # First and not in the background: after `start` it also links the worker and the robot program again, which other suites run.
@@ -72,7 +67,13 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
         # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories, after=built),
-        Suite("python", [PYTHON, "-m", "pytest", "sim-service", "-n", "4", "--dist", "worksteal", *hangs], pytest_summary, cores=0.5, after=built),
+        Suite(
+            "python",
+            [PYTHON, "-m", "pytest", "sim-service", "-rfEs", "--durations=60", "-n", "4", "--dist", "worksteal", *hangs],
+            pytest_summary,
+            cores=0.5,
+            after=built,
+        ),
         # Builds what is not built, so that the suite can also be run alone.
         Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=built),
         # Only so that the two before it, which take longer, start first.
@@ -87,22 +88,21 @@ def suites(root: Path, reports: Path, whole: bool = False) -> Sequence[Suite]:
         ),
         replace(vitest("codegen", background=True), after=built),
         # Not before the suite above, which takes longer.
-        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),
+        Suite("scripts", [PYTHON, "-m", "pytest", "-q", "-rfEs", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),
         check("types-py", PYTHON, "-m", "mypy", "--config-file", "sim-service/pyproject.toml", "sim-service/rosy_sim", "sim-service/tests"),
         # All that may use the names of a browser is one program: as four, the compiler read the sources of codegen and of the page four times.
         check("types-ts", "npx", "tsc", "-b", "codegen", "tsconfig.check.json"),
         # The build may still change the library.
         replace(check("types-bench", "bash", "-c", TYPES_OF_BENCHMARKS), after=built),
-        # The versions of Debian 12. Later ones find other things, and write the same program in another way.
-        changed("lint-hs", "3.3", "hlint", "--", *haskell),
-        # Ormolu reads the language extensions of the package.
-        changed("format-hs", "0.3", "ormolu", "--mode", "check", "--with", "rosy.cabal", "--", *haskell),
+        # The versions of Debian 12.
+        style("lint-hs", "hlint", "3.3"),
+        style("format-hs", "ormolu", "0.3", "--mode", "check"),
         check("format-ts", "npx", "biome", "check", "."),
         check("format-py", PYTHON, "-m", "ruff", "format", "--check", "sim-service", "scripts"),
         check("lint-py", PYTHON, "-m", "ruff", "check", "sim-service", "scripts"),
         check("shell", "shellcheck", "-x", *SHELL_SCRIPTS),
         Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False, background=True),
         # The build may still change the library.
-        Suite("bench", [PYTHON, "scripts/bench.py", "--small" if whole else "--rotating"], own_script, after=frozenset({"haskell"})),
+        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, after=frozenset({"haskell"})),
     ]
-    return [replace(suite, limit=math.inf if whole else SUITE_LIMIT) for suite in listed]
+    return [replace(suite, limit=math.inf if nightly else SUITE_LIMIT) for suite in listed]

@@ -14,6 +14,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from rosy_sim.version import VERSION
+
 ROOT = Path(__file__).resolve().parents[2]
 
 # Utilities that every Debian has, taken from the real system.
@@ -31,7 +33,7 @@ COMPLETE = {
     "dpkg-query": 'echo "install ok installed"',
     "ghc": "echo 9.0.2",
     "cabal": 'case "$*" in *rosy-worker*) name=rosy-worker ;; *rosy-robot*) name=rosy-robot ;; *) name=rosy-build ;; esac\n'
-    'd="$ROSY_ROOT/dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-0.1.0/x/$name/build/$name"; mkdir -p "$d"; touch "$d/$name"',
+    f'd="$ROSY_ROOT/dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-{VERSION}/x/$name/build/$name"; mkdir -p "$d"; touch "$d/$name"',
     "python3": 'case "$*" in *" -m venv "*|"-m venv "*) mkdir -p "$3/bin"; cp "$0" "$3/bin/python" ;; *rosy_sim*) echo "served $*" ;; esac',
     "node": "",
     "npm": 'case "$*" in *install*) mkdir -p node_modules/vite ;; *codegen*) mkdir -p codegen/dist; touch codegen/dist/cli.js ;; '
@@ -80,6 +82,10 @@ def machine(folder: Path, name: str = "rosy") -> Machine:
         shutil.copy2(ROOT / file, root / file)
     for part in ("sim-service", "rosy-hs/src", "codegen/src", "editor/src", "examples"):
         (root / part).mkdir(parents=True)
+    # A Rosy that runs beside the tests listens on the real port; nothing listens on this one (IANA: tcpmux).
+    command = (root / "rosy").read_text()
+    assert command.count("port=8080") == 1
+    (root / "rosy").write_text(command.replace("port=8080", "port=1"))
     for lock in ROOT.glob("sim-service/requirements*.lock"):
         shutil.copy2(lock, root / "sim-service" / lock.name)
     for tool in BASIC:

@@ -1,6 +1,6 @@
 """
 The recipe for a sensor in CONTRIBUTING.md, followed in a scratch copy: a sensor for the current of the wheels' motors, and a program
-that uses it in the simulator.
+that uses it in the simulator; and one type of each role, which everything that depends on roles must know afterwards.
 
 The copy's library is interpreted, so nothing is built; `npm run environment`, which needs the built library, is left out.
 """
@@ -18,9 +18,21 @@ from typing import Any
 
 import pytest
 
+from robot_descriptions import Vocabulary, merged, robots
+
 ROOT = Path(__file__).resolve().parents[2]
 
-COPIED = ["protocol/robots", "scripts", "rosy-hs/src", "rosy-hs/ros/msg", "sim-service/rosy_sim", "codegen/src/words", "codegen/src/robot"]
+COPIED = [
+    "protocol/robots",
+    "scripts",
+    "rosy-hs/src",
+    "rosy-hs/worker/Rosy/Worker/Explanation",
+    "rosy-hs/LANGUAGE.md",
+    "rosy-hs/ros/msg",
+    "sim-service/rosy_sim",
+    "codegen/src/words",
+    "codegen/src/robot",
+]
 
 DESCRIPTION = "protocol/robots/kobuki.json"
 DEVICE = "sim-service/rosy_sim/robots/kobuki/motor_current.py"
@@ -141,7 +153,11 @@ print(result.ended, [problem.message for problem in result.problems])
 def copy(tmp_path: Path) -> Path:
     """The parts of the repository that the recipe touches."""
     for part in COPIED:
-        shutil.copytree(ROOT / part, tmp_path / part, ignore=shutil.ignore_patterns("__pycache__", "tests"))
+        if (ROOT / part).is_file():
+            (tmp_path / part).parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(ROOT / part, tmp_path / part)
+        else:
+            shutil.copytree(ROOT / part, tmp_path / part, ignore=shutil.ignore_patterns("__pycache__", "tests"))
     return tmp_path
 
 
@@ -190,3 +206,105 @@ def test_a_program_uses_a_sensor_that_was_added_by_the_recipe(copy: Path) -> Non
     assert ended == "time []"
     # The sensor follows the speed: 0.5 m/s gives 0.6 A.
     assert said[-1] == "6"
+
+
+LANGUAGES = ("en", "de", "pt", "es", "fr")
+
+ROLES = {"event": "Knocked", "state": "Humidity", "command": "Fan"}
+"""A type of each role. The fan lasts, so its label says what it sets."""
+
+
+def add_roles(copy: Path) -> None:
+    """A channel of each role with one number, and the generator."""
+    description: dict[str, Any] = json.loads((copy / DESCRIPTION).read_text())
+    for role, name in ROLES.items():
+        labels: dict[str, Any] = {"parts": ["level"], "tooltip": f"{name}.", "noun": f"a {name}"}
+        if role == "command":
+            labels["actuator"] = "the fan"
+        description["types"].append(
+            {
+                "name": name,
+                "doc": f"A type of the role {role}.",
+                "fields": [{"name": f"level{name}", "type": "Double", "doc": "How much."}],
+                "labels": dict.fromkeys(LANGUAGES, labels),
+            }
+        )
+        ros = {"topic": f"/{name.lower()}", "type": "std_msgs/Float64", "fields": ["data"]}
+        description["channels"].append({"name": name, "kind": role, "ros": ros, **({"rest": [0]} if role == "command" else {})})
+    (copy / DESCRIPTION).write_text(json.dumps(description))
+    run(copy, sys.executable, "scripts/robots.py")
+
+
+def table(text: str, name: str) -> str:
+    """A table of generated TypeScript."""
+    return text.split(f'"{name}": [')[1].split("]")[0]
+
+
+def test_a_type_of_each_role_is_known_wherever_roles_matter(copy: Path) -> None:
+    add_roles(copy)
+    event, state, command = ROLES.values()
+    # The page and the blocks.
+    roles = (copy / "codegen/src/robot/description.generated.ts").read_text().split('"roles"')[1]
+    for name, of in (("events", event), ("states", state), ("commands", command), ("held", command)):
+        assert f'"{of}"' in table(roles, name)
+        assert all(f'"{other}"' not in table(roles, name) for other in ROLES.values() if other != of)
+    for language in LANGUAGES:
+        words = (copy / f"codegen/src/words/{language}/robot.generated.ts").read_text()
+        assert f'"{command}": "the fan"' in words.split('"actuators"')[1]
+    # The service's explanations.
+    told = run(copy, sys.executable, "-c", "from rosy_sim.robot_description import type_roles; print(*type_roles()[:3], sep='\\n')").splitlines()
+    assert [state in told[0], command in told[1], command in told[2]] == [True] * 3
+    assert event not in "".join(told)
+    # The worker's explanations, and the reference.
+    explanations = (copy / "rosy-hs/worker/Rosy/Worker/Explanation/RobotTypes.hs").read_text()
+    for name, of in (("commandTypes", {command}), ("commandOnly", {command}), ("sensedOnly", {event, state})):
+        line = explanations.split(f"{name} =")[1].split("]")[0]
+        assert {type_ for type_ in ROLES.values() if f'"{type_}"' in line} == of
+    terms = (copy / "rosy-hs/LANGUAGE.md").read_text().split("## Terms")[1].split("\n## ")[0].splitlines()
+    for term, of in (("Event", event), ("State", state), ("Command", command)):
+        assert [line for line in terms if f"`{of}`" in line] == [line for line in terms if line.startswith(f"- **{term}**")]
+
+
+def test_the_reference_names_every_exported_type() -> None:
+    exports = (ROOT / "rosy-hs/src/Rosy.hs").read_text().split("\n  )\nwhere")[0]
+    exported = set(re.findall(r"^    ([A-Z]\w*)(?: \(.*\))?,$", exports, re.MULTILINE)) - {"World"}
+    terms = (ROOT / "rosy-hs/LANGUAGE.md").read_text().split("## Terms")[1].split("\n## ")[0]
+    assert exported - set(re.findall(r"`(\w+)`", terms)) == set()
+
+
+SOURCES = [
+    ("codegen/src", "*.ts"),
+    ("editor/src", "*.ts"),
+    ("editor/src", "*.tsx"),
+    ("sim-service/rosy_sim", "*.py"),
+    ("rosy-hs/worker", "*.hs"),
+    ("rosy-hs/src", "*.hs"),
+    ("rosy-hs/robots", "*.hs"),
+]
+
+OTHER_LISTS = {
+    "editor/src/features/runs/differences.ts": "what a robot feels of the room, which simulation and reality compare",
+    "editor/src/features/shared_page/film.ts": "what the drawing of a robot shows, so that a film has nothing else",
+    "sim-service/rosy_sim/run/steps/velocity_guard.py": "the safety rules are about contact and holes (rule R24)",
+    "rosy-hs/worker/Rosy/Worker/Explanation/TextualMistakes/Numbers.hs": "units behind the numbers of drive, turn and wait",
+    "rosy-hs/worker/Rosy/Worker/Explanation/TypeErrors.hs": "types with numbers inside, which a pattern takes out",
+}
+"""Lists that are not about a role, each with what it is about."""
+
+
+def test_no_list_of_types_is_kept_by_hand() -> None:
+    """A literal with three types of one role is a list of that role, or has its reason above."""
+    types, channels = merged(robots(), "types"), merged(robots(), "channels")
+    roles = Vocabulary(types).roles(channels)
+    role_of = {"event": set(roles.events), "state": set(roles.states), "command": set(roles.commands)}
+    found = set()
+    for folder, pattern in SOURCES:
+        for file in (ROOT / folder).rglob(pattern):
+            where = str(file.relative_to(ROOT))
+            if "/words/" in where or re.search("[Gg]enerated", file.read_text()[:1500]):
+                continue
+            for literal in re.findall(r"[\[({]([^\[\](){}]*)[\])}]", file.read_text()):
+                named = set(re.findall(r"[\"'` ](\w+)(?=[\"'` ])", literal)) if re.search(r"[\"'`]", literal) else set()
+                if any(len(named & names) >= 3 for names in role_of.values()):
+                    found.add(where)
+    assert found == set(OTHER_LISTS)

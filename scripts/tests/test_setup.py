@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from .sandbox import COMPLETE, ROOT, Machine, machine
+from .sandbox import COMPLETE, ROOT, VERSION, Machine, machine
 
 
 @pytest.fixture
@@ -66,7 +66,7 @@ def test_a_language_server_builds_no_page_and_leaves_standard_output_to_the_edit
 
 
 def test_workspaces_are_named_by_their_package_because_a_folder_also_selects_the_workspaces_in_it() -> None:
-    selected = re.findall(r"(?:-w|--workspace) ([@a-z][^ );]*)", (ROOT / "scripts/lib/setup.sh").read_text())
+    selected = re.findall(r"(?:-w|--workspace) ([@a-z][^\s);]*)", (ROOT / "scripts/lib/setup.sh").read_text())
     folders = json.loads((ROOT / "package.json").read_text())["workspaces"]
     names = {json.loads((ROOT / folder / "package.json").read_text())["name"] for folder in folders}
     assert selected
@@ -77,6 +77,22 @@ def test_python_packages_are_installed_by_hash(complete: Machine) -> None:
     complete.rosy("start")
     # Of the service, and of what compiles a part of it.
     assert complete.called("pip install") == complete.called("--require-hashes") == 2
+
+
+def test_a_changed_lock_file_leaves_the_packages_of_the_tests(complete: Machine) -> None:
+    complete.rosy("start")
+    tools = complete.root / ".rosy/venv/lib/python3.11/site-packages/pytest"
+    tools.mkdir(parents=True)
+    lock = complete.root / "sim-service/requirements.lock"
+    lock.write_text(lock.read_text() + "# changed\n")
+    assert complete.rosy("start").returncode == 0
+    assert tools.is_dir()
+    assert (complete.called("-m venv"), complete.called("/requirements.lock")) == (1, 2)
+    # A folder whose Python has gone is made anew, with what is needed only.
+    (complete.root / ".rosy/venv/bin/python").unlink()
+    assert complete.rosy("start").returncode == 0
+    assert not tools.exists()
+    assert complete.called("-m venv") == 2
 
 
 def test_what_is_computed_in_each_step_is_compiled_once_and_again_when_it_has_changed(complete: Machine) -> None:
@@ -124,6 +140,29 @@ def test_everything_that_is_missing_is_told_in_one_list(complete: Machine) -> No
 def test_without_a_network_it_says_so_before_anything_is_done(complete: Machine) -> None:
     complete.tool("curl", "exit 6")
     assert any("no way to the network" in line for line in missing(complete))
+
+
+def test_a_certificate_that_is_not_known_is_told_before_anything_is_done(complete: Machine) -> None:
+    complete.tool("curl", "exit 60")
+    told = "\n".join(missing(complete))
+    assert "The certificate of https://packages.example is not known to this machine" in told
+    assert "NODE_EXTRA_CA_CERTS=FILE.crt" in told
+    assert "no way to the network" not in told
+
+
+def test_a_certificate_that_is_named_is_used_to_ask_the_servers_and_by_node(complete: Machine) -> None:
+    complete.tool("curl", 'case "$*" in *"--cacert school.crt"*) ;; *) exit 60 ;; esac')
+    complete.tool("npm", f'echo "npm trusts $NODE_EXTRA_CA_CERTS" >>"{complete.calls}"\n{COMPLETE["npm"]}')
+    done = complete.rosy("start", env={"NODE_EXTRA_CA_CERTS": "school.crt"})
+    assert done.returncode == 0, done.stderr
+    assert complete.called("npm trusts school.crt") > 0
+
+
+def test_node_trusts_what_the_system_trusts(complete: Machine) -> None:
+    complete.tool("npm", f'echo "npm trusts $NODE_EXTRA_CA_CERTS." >>"{complete.calls}"\n{COMPLETE["npm"]}')
+    complete.rosy("start")
+    certificates = "/etc/ssl/certs/ca-certificates.crt"
+    assert complete.called(f"npm trusts {certificates if os.path.exists(certificates) else ''}.") > 0
 
 
 def test_without_a_network_what_is_installed_still_starts(complete: Machine) -> None:
@@ -178,7 +217,9 @@ def test_another_system_is_named(complete: Machine) -> None:
 def test_a_port_in_use_is_told_before_the_installation(complete: Machine) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
-        assert any(f"Port {port} is in use" in line for line in missing(complete, "--port", str(port)))
+        (said,) = missing(complete, "--port", str(port))
+        assert f"port {port} is in use" in said
+        assert said.endswith(f"./rosy start --port {port + 1}")
 
 
 def test_a_node_that_is_missing_comes_as_a_python_package(complete: Machine) -> None:
@@ -268,6 +309,17 @@ def test_the_packages_of_the_tests_are_kept(complete: Machine) -> None:
     assert (complete.root / "node_modules").exists()
 
 
+def test_a_changed_lock_file_of_npm_leaves_the_packages_of_the_tests(complete: Machine) -> None:
+    installs = 'case "$*" in *install*--omit=dev*) rm -rf node_modules/vitest ;; *install*) mkdir -p node_modules/vitest ;; esac'
+    complete.tool("npm", f"{installs}\n{COMPLETE['npm']}")
+    complete.rosy("test", "none")
+    lock = complete.root / "package-lock.json"
+    lock.write_text(lock.read_text() + " ")
+    assert complete.rosy("start").returncode == 0
+    assert complete.called("npm install") == 2
+    assert (complete.root / "node_modules/vitest").is_dir()
+
+
 def test_the_tests_install_ray_after_everything_else(complete: Machine) -> None:
     done = complete.rosy("test", "python")
     assert complete.called("requirements-cluster.lock") == 1
@@ -299,7 +351,7 @@ def test_without_a_network_a_changed_example_leaves_the_page_as_it_was(complete:
 
 
 def test_a_library_that_a_killed_build_left_unfinished_is_linked_again(complete: Machine) -> None:
-    build = "dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-0.1.0"
+    build = f"dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-{VERSION}"
     whole, part, checked = (complete.root / build / name for name in ("build/libHSros.so", "build/libHSrosy.so", "cache/build"))
     for file in (whole, checked):
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -313,6 +365,23 @@ def test_a_library_that_a_killed_build_left_unfinished_is_linked_again(complete:
     assert whole.exists()
     assert not part.exists()
     assert not checked.exists()
+
+
+def test_a_newer_version_removes_what_was_built_of_an_older_one(complete: Machine) -> None:
+    assert complete.rosy("start").returncode == 0
+    older, built = (complete.root / f"dist-newstyle/build/x86_64-linux/ghc-9.0.2/rosy-{version}" for version in (VERSION, "99.0.0"))
+    database = complete.root / "dist-newstyle/packagedb/ghc-9.0.2"
+    database.mkdir(parents=True)
+    for version in (VERSION, "99.0.0"):
+        for unit in ("inplace", "inplace-robots"):
+            (database / f"rosy-{version}-{unit}.conf").touch()
+    cabal_file = complete.root / "rosy.cabal"
+    cabal_file.write_text(re.sub(r"(?m)^(version:\s*)\S+", r"\g<1>99.0.0", cabal_file.read_text()))
+    complete.tool("cabal", COMPLETE["cabal"].replace(f"rosy-{VERSION}", "rosy-99.0.0"))
+    assert complete.rosy("start").returncode == 0
+    assert not older.exists()
+    assert built.exists()
+    assert sorted(file.name for file in database.iterdir()) == ["rosy-99.0.0-inplace-robots.conf", "rosy-99.0.0-inplace.conf"]
 
 
 def test_a_cabal_that_builds_here_is_waited_for(complete: Machine, tmp_path: Path) -> None:

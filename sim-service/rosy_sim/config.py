@@ -88,6 +88,8 @@ class Config:
     robot_executable: Path | None = None
     # Addresses of the robots that pages may drive, by name.
     robots: dict[str, str] = field(default_factory=dict)
+    # Addresses of ROS 2 at which robots are discovered that pages may drive too.
+    nearby: tuple[str, ...] = ()
     # The folder of classes, one folder each. ROSY_CLASSES; else in the person's data folder (XDG base directories).
     classes: Path = field(default_factory=lambda: _classes())
     # The folder of recordings of runs on real robots. ROSY_RECORDINGS; else in the person's data folder.
@@ -100,9 +102,18 @@ class Config:
     class_name: str | None = None
     # HOST or HOST:PORT of other services whose pages may connect to this one: those of a cluster.
     origins: frozenset[str] = frozenset()
+    # Addresses of proxies whose `X-Forwarded-For` says who the client is. ROSY_PROXIES, with commas.
+    proxies: tuple[str, ...] = ()
     # What pupils open, where it is not the address of this service.
     class_address: str | None = None
+    # Where the internet reaches this service, through a proxy on the way: https://HOST, without a slash at its end.
+    public: str | None = None
     limits: Limits = field(default_factory=Limits)
+
+    @property
+    def text_service(self) -> Path:
+        """Codegen's command line, as Node runs it."""
+        return self.root / "codegen" / "dist" / "cli.js"
 
     @property
     def api_docs(self) -> Path:
@@ -129,6 +140,7 @@ def discover() -> Config:
         else (),
         sandbox=os.environ.get("ROSY_SANDBOX", "on") != "off",
         class_database=os.environ.get("ROSY_CLASS_DATABASE") or None,
+        proxies=tuple(name.strip() for name in os.environ.get("ROSY_PROXIES", "").split(",") if name.strip()),
         visible=_visible(executable),
         robot_executable=Path(robot_executable).resolve() if robot_executable else _built(root, "rosy-robot"),
     )

@@ -6,6 +6,7 @@ What can go wrong outside a learner's program, as a tree::
     ├── OutputFailed          standard output cannot be written                     exit 1
     ├── RobotMissing          no robot answers at an address                        exit 2
     ├── WorkerMissing         no worker has been built                              exit 2
+    ├── WorkerFailed          a worker cannot start on this computer                exit 2
     ├── WorkerLost            the worker died while it was needed                   exit 2
     └── WorkerRefused         the worker says our request was wrong                 exit 2
 
@@ -17,7 +18,16 @@ from __future__ import annotations
 
 from .sentences.sentence import Sentence, SentenceError, tr
 
-__all__ = ["BadInput", "OutputFailed", "RobotMissing", "RosyError", "WorkerLost", "WorkerMissing", "WorkerRefused"]
+__all__ = [
+    "BadInput",
+    "OutputFailed",
+    "RobotMissing",
+    "RosyError",
+    "WorkerFailed",
+    "WorkerLost",
+    "WorkerMissing",
+    "WorkerRefused",
+]
 
 
 class RosyError(SentenceError):
@@ -45,8 +55,10 @@ class OutputFailed(RosyError):
 class RobotMissing(RosyError):
     """No robot answers at an address."""
 
-    def __init__(self, address: str) -> None:
-        super().__init__(tr("No robot answers at {address}; is it on, and does its server run?", address=address))
+    def __init__(self, address: str, sentence: Sentence | None = None) -> None:
+        super().__init__(
+            sentence or tr("No robot answers at {address}; is it on, and does its server run?", address=address)
+        )
 
 
 class WorkerMissing(RosyError):
@@ -54,6 +66,15 @@ class WorkerMissing(RosyError):
 
     def __init__(self) -> None:
         super().__init__(tr("The compiler part of Rosy is not built yet; ./rosy start builds it."))
+
+
+class WorkerFailed(RosyError):
+    """A worker cannot start on this computer; ``why`` is what it, its sandbox or the system reported."""
+
+    def __init__(self, why: Sentence) -> None:
+        super().__init__(
+            tr("The compiler part of Rosy cannot start on this computer, so no program can run: {why}", why=why)
+        )
 
 
 class WorkerLost(RosyError):

@@ -9,6 +9,8 @@ from __future__ import annotations
 import os
 from pathlib import Path
 
+from .text_lines import text_lines
+
 __all__ = ["memory_ceiling"]
 
 _SHARE = 0.5
@@ -24,7 +26,7 @@ def memory_ceiling(groups: Path = Path("/sys/fs/cgroup"), own: Path = Path("/pro
 def _limits(groups: Path, own: Path) -> list[int]:
     """The limits of the control groups of this process and of those above, bytes."""
     try:
-        memberships = [line.split(":", 2) for line in own.read_text().splitlines()]
+        memberships = [line.split(":", 2) for line in text_lines(own.read_text())]
     except OSError:
         return []
     files: list[Path] = []

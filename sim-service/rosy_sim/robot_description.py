@@ -10,12 +10,40 @@ import json
 import os
 from functools import cache
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
-__all__ = ["ROBOTS", "description", "known_robots", "simulated"]
+__all__ = ["ROBOTS", "TypeRoles", "description", "known_robots", "simulated", "type_roles"]
 
 ROBOTS = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]) / "protocol" / "robots"
 """Where the robot descriptions are."""
+
+
+class TypeRoles(NamedTuple):
+    """What the types of all robots do in a program, by name (language rules R1 to R4 and R9)."""
+
+    # Sensed types with a current value at any time, which never trigger a function that takes an event as well.
+    states: frozenset[str]
+    commands: frozenset[str]
+    # Commands that last until the next one.
+    held: frozenset[str]
+    # Types that show one place of another type of event, such as BumperLeft, and how the shown values begin.
+    views: dict[str, str]
+
+
+@cache
+def type_roles() -> TypeRoles:
+    """The roles of the types of all robots."""
+    robots = [description(name) for name in known_robots()]
+    channels = {channel["name"]: channel for robot in reversed(robots) for channel in robot["channels"]}
+    views = {entry["name"]: entry["view"] for robot in robots for entry in robot.get("types", ()) if "view" in entry}
+    sensed = {"state", "clock"}
+    return TypeRoles(
+        states=frozenset(name for name, channel in channels.items() if channel["kind"] in sensed)
+        | {name for name, view in views.items() if channels[view["of"]]["kind"] in sensed},
+        commands=frozenset(name for name, channel in channels.items() if channel["kind"] == "command"),
+        held=frozenset(name for name, channel in channels.items() if {"rest", "holds"} & set(channel)),
+        views={name: " ".join((view["of"], *view["when"].values())) for name, view in views.items() if "when" in view},
+    )
 
 
 @cache

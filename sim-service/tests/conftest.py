@@ -21,7 +21,7 @@ from rosy_sim.world.arena import read_arena
 from rosy_sim.world.events import Reading
 from rosy_sim.world.world import World
 
-from .extent import TODAY
+from .extent import NIGHTLY
 from .fake_program import play
 
 PATIENCE = 240.0
@@ -32,8 +32,15 @@ UNHURRIED: dict[str, Any] = {"open_timeout": PATIENCE, "ping_interval": None}
 
 FAKE_WORKER = Path(__file__).with_name("fake_worker.py")
 
-# How long a busy machine takes for an example says nothing about it.
-settings.register_profile("rosy", settings(), deadline=None, suppress_health_check=[HealthCheck.too_slow])
+# How long a busy machine takes for an example says nothing about it. The same commit tries the same examples.
+settings.register_profile(
+    "rosy",
+    settings(),
+    deadline=None,
+    suppress_health_check=[HealthCheck.too_slow],
+    derandomize=not NIGHTLY,
+    database=None,
+)
 settings.load_profile("rosy")
 
 Play = Callable[[str], Any]
@@ -90,17 +97,6 @@ def config(tmp_path: Path, limits: Limits) -> Config:
     )
 
 
-REPOSITORY = Path(__file__).resolve().parents[2]
-
-
-def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """
-    Tests that take turns are left out on twelve days of thirteen. Long tests start first: a process that gets one last
-    keeps the others waiting.
-    """
-    turns = [item for item in items if item.get_closest_marker("turns") is not None]
-    today = TODAY.share((item.nodeid, item.path.relative_to(REPOSITORY).as_posix()) for item in turns)
-    left_out = [item for item in turns if item.nodeid not in today]
-    config.hook.pytest_deselected(items=left_out)
-    items[:] = [item for item in items if item not in left_out]
+def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
+    """Long tests start first: a process that gets one last keeps the others waiting."""
     items.sort(key=lambda item: item.get_closest_marker("long") is None)

@@ -35,7 +35,6 @@ def limited(variables: dict[str, str], *arguments: object) -> subprocess.Complet
     )  # fmt: skip
 
 
-@pytest.mark.turns
 def test_a_trace_on_a_full_disk_gives_one_sentence_and_keeps_the_old_file(
     environment: dict[str, str], tmp_path: Path
 ) -> None:
@@ -50,7 +49,6 @@ def test_a_trace_on_a_full_disk_gives_one_sentence_and_keeps_the_old_file(
     assert set(tmp_path.iterdir()) == before
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("seconds", [0.02, 60])
 def test_a_trace_to_a_full_device_gives_one_sentence(
     seconds: float, environment: dict[str, str], tmp_path: Path
@@ -60,7 +58,6 @@ def test_a_trace_to_a_full_device_gives_one_sentence(
     assert done.stderr == "rosy: /dev/full cannot be written: No space left on device.\n"
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("script", ["say:hi@3", "refuse"])
 def test_output_to_a_full_device_gives_one_sentence(script: str, environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text(script)

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+import csv
+import io
 import json
+import math
 import os
+import shutil
 import signal
 import socket
 import subprocess
@@ -25,6 +29,10 @@ from rosy_sim.worker.launcher import missing_sandbox
 from .conftest import FAKE_WORKER, PATIENCE
 
 ROOT = Path(__file__).resolve().parents[1]
+CODEGEN = pytest.mark.skipif(
+    shutil.which("node") is None or not (ROOT.parent / "codegen" / "dist" / "cli.js").exists(),
+    reason="codegen's command line is not built",
+)
 
 
 @pytest.fixture
@@ -35,6 +43,7 @@ def environment(tmp_path: Path) -> dict[str, str]:
     worker.chmod(0o755)
     # The robot descriptions.
     (tmp_path / "protocol").symlink_to(ROOT.parent / "protocol")
+    (tmp_path / "codegen").symlink_to(ROOT.parent / "codegen")
     kept = {key: value for key, value in os.environ.items() if not key.startswith("ROSY_")}
     return {
         **kept,
@@ -89,13 +98,12 @@ def test_a_run_ends_with_its_json(environment: dict[str, str], tmp_path: Path) -
     program = tmp_path / "p.hs"
     program.write_text("drive:0.5 say:hi@3")
     done = rosy(environment, "run", program, "--seconds", 2, "--seed", 1)
-    assert (done.returncode, done.stderr) == (0, "")
+    assert (done.stderr, done.returncode) == ("", 0)
     assert done.stdout.splitlines()[0] == "hi"
     assert set(last(done)) == {"time", "pose", "ended", "steps", "wall"}
     assert (last(done)["time"], last(done)["ended"], last(done)["steps"]) == (2.0, "time", 100)
 
 
-@pytest.mark.turns
 def test_a_program_cannot_give_orders_to_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("say:\033[2Jhi\u009b31m@3 done@4")
@@ -103,7 +111,6 @@ def test_a_program_cannot_give_orders_to_the_terminal(environment: dict[str, str
     assert done.stdout.splitlines()[0] == "\ufffd[2Jhi\ufffd31m"
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(
     ("script", "ended", "status"),
     [("done@9", "done", 0), ("error@4", "error", 2), ("hang@4", "stuck", 2), ("refuse", "error", 1)],
@@ -118,7 +125,6 @@ def test_the_exit_status_says_how_it_ended(
     assert len(done.stderr.splitlines()) == (0 if status == 0 else 1)
 
 
-@pytest.mark.turns
 def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
     environment: dict[str, str], tmp_path: Path
 ) -> None:
@@ -133,7 +139,6 @@ def test_explain_prints_why_the_last_command_or_that_of_a_time_was_sent(
     assert last(done)["time"] == 1.0
 
 
-@pytest.mark.turns
 def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("tell")
     done = rosy({**environment, "LC_ALL": "de_DE.UTF-8"}, "run", tmp_path / "p.hs", "--seconds", 1, "--explain")
@@ -143,7 +148,6 @@ def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str]
     ]
 
 
-@pytest.mark.turns
 def test_a_trace_has_the_provenance_of_firings_on_request(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("tell")
     for options in ((), ("--provenance",)):
@@ -168,7 +172,6 @@ def test_a_project_brings_its_world_and_inputs_their_hands(environment: dict[str
     assert len(trace.read_text().splitlines()) == 100
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(("x", "status", "state"), [(2.0, 0, "done"), (9.0, 3, "missed")])
 def test_a_goal_decides_the_exit_status(
     x: float, status: int, state: str, environment: dict[str, str], tmp_path: Path
@@ -184,7 +187,6 @@ def test_a_goal_decides_the_exit_status(
     assert [goal["state"] for goal in told] == [state]
 
 
-@pytest.mark.turns
 def test_a_folder_of_programs_gives_a_table(environment: dict[str, str], tmp_path: Path) -> None:
     world = tmp_path / "w.json"
     goal = {"kind": "reach", "x": 2, "y": 1, "r": 0.3, "title": "Get there"}
@@ -196,16 +198,60 @@ def test_a_folder_of_programs_gives_a_table(environment: dict[str, str], tmp_pat
     done = rosy(environment, "run", tmp_path / "class", "--world", world, "--seconds", 5)
     assert done.returncode == 3
     lines = [line.split() for line in done.stdout.splitlines()]
-    assert [(Path(line[0]).stem, *line[1:3]) for line in lines[1:-1]] == [
-        ("ann", "well", "1/1"), ("bob", "goal", "missed"), ("cem", "not", "compiled"), ("dan", "failed", "0/1"),
+    assert [tuple(line[:3]) for line in lines[1:-1]] == [
+        ("ann.hs", "well", "1/1"), ("bob.hs", "goal", "missed"), ("cem.hs", "not", "compiled"),
+        ("dan.hs", "failed", "0/1"),
     ]  # fmt: skip
     assert "Get there" in done.stdout
     assert done.stdout.endswith("1 of 4 went well.\n")
     (tmp_path / "none").mkdir()
     one_sentence(rosy(environment, "run", tmp_path / "none"))
+    options = ("--world", world, "--seconds", 5, "--csv")
+    done = rosy(environment, "run", tmp_path / "class", *options)
+    assert (done.returncode, done.stderr) == (3, "")
+    assert done.stdout.startswith("\ufeff")
+    rows = list(csv.reader(io.StringIO(done.stdout.removeprefix("\ufeff"))))
+    assert rows[0] == ["program", "went", "goals reached", "goals", "time", "remark"]
+    assert [row[:4] for row in rows[1:]] == [
+        ["ann.hs", "well", "1", "1"], ["bob.hs", "goal missed", "0", "1"], ["cem.hs", "not compiled", "0", "0"],
+        ["dan.hs", "failed", "0", "1"],
+    ]  # fmt: skip
+    # One program is a table as well.
+    done = rosy(environment, "run", folder / "bob.hs", *options)
+    assert [row[0] for row in csv.reader(io.StringIO(done.stdout))][1:] == ["bob.hs"]
 
 
-@pytest.mark.turns
+@pytest.mark.parametrize(
+    ("reach", "language", "status", "row", "place"),
+    [
+        (1.5, "en", 0, "p.hs well 1/1 1.00 s", "The robot is at x = 1.5 m, y = 1 m and looks in direction 90°."),
+        (3.5, "en", 3, "p.hs goal missed 0/1 1.00 s Get there", "The robot is at x = 1.5 m"),
+        (1.5, "de", 0, "p.hs gut 1/1 1.00 s", "Der Roboter ist bei x = 1,5 m, y = 1 m und schaut in Richtung 90°."),
+    ],
+)
+def test_a_person_at_a_terminal_reads_a_table_and_a_sentence_instead_of_json(
+    reach: float,
+    language: str,
+    status: int,
+    row: str,
+    place: str,
+    here: Here,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    (tmp_path / "p.hs").write_text("done@50")
+    goal = {"kind": "reach", "x": reach, "y": 1, "r": 0.3, "title": "Get there"}
+    start = {"x": 1.5, "y": 1, "theta": math.pi / 2}
+    (tmp_path / "w.json").write_text(json.dumps({"size": [4, 2], "start": start, "goals": [goal]}))
+    monkeypatch.setenv("LC_ALL", f"{language}.UTF-8")
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: True)
+    done = here("run", tmp_path / "p.hs", "--world", tmp_path / "w.json")
+    assert done.returncode == status
+    _, told, last_line = (" ".join(line.split()) for line in done.stdout.splitlines())
+    assert told == row
+    assert last_line.startswith(place)
+
+
 def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("refuse")
@@ -216,6 +262,47 @@ def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: P
     assert (done.returncode, set(json.loads(done.stdout))) == (1, {"problems", "declarations", "graph"})
     program.write_text("drive:0.5")
     assert rosy(environment, "check", program).returncode == 0
+
+
+_CONFLICT = """\
+go :: Velocity
+go = Velocity 0.2 0
+
+back :: Bumper -> Velocity
+back _ = Velocity (-0.2) 0
+
+main = simulate %s
+"""
+
+
+@CODEGEN
+def test_check_warns_about_functions_that_override_each_other(environment: dict[str, str], tmp_path: Path) -> None:
+    folder = tmp_path / "programs"
+    folder.mkdir()
+    (folder / "a.hs").write_text(_CONFLICT % "(go, back)")
+    (folder / "b.hs").write_text(_CONFLICT % "(priority 1 back go)")
+    warning = f"{folder}/a.hs:1:1: warning: `back` and `go` both set the velocity, and `go` keeps winning. Say"
+    for what, after in ((folder / "a.hs", []), (folder, [f"{folder}/b.hs: no problems."])):
+        done = rosy(environment, "check", what)
+        [first, *others] = done.stdout.splitlines()
+        assert (done.returncode, others, done.stderr) == (0, after, "")
+        assert first.startswith(warning)
+    german = rosy({**environment, "LC_ALL": "de_DE.UTF-8"}, "check", folder / "a.hs").stdout
+    assert "stellen beide die Geschwindigkeit ein" in german
+    [problem] = json.loads(rosy(environment, "check", folder / "a.hs", "--json").stdout)["problems"]
+    assert problem["fixes"][0]["edits"][0]["text"] == "(priority 1 back go)"
+
+
+@CODEGEN
+def test_check_says_when_it_cannot_look_for_conflicts(environment: dict[str, str], tmp_path: Path) -> None:
+    (tmp_path / "p.hs").write_text("drive:0.5")
+    (tmp_path / "codegen").unlink()
+    done = rosy(environment, "check", tmp_path / "p.hs")
+    assert (done.returncode, done.stdout) == (0, f"{tmp_path}/p.hs: no problems.\n")
+    assert done.stderr == (
+        "rosy: Conflicts between functions were not looked for: "
+        "the conversions between blocks and Haskell are not built.\n"
+    )
 
 
 BAD_FILES = {
@@ -257,6 +344,7 @@ def one_sentence(done: subprocess.CompletedProcess[str], status: int = 1) -> Non
         ["--robot", "ws://127.0.0.1:9"], ["--robot", "http://x"], ["--robot", "ros"], ["--robot", "ws://x/?ros=3"],
         ["--robot", "ws://127.0.0.1:9", "--world", "room"], ["--robot", "ws://127.0.0.1:9", "--seed", "1"],
         ["--explain", "soon"], ["--explain", "-1"], ["--provenance"], ["--robot", "ws://127.0.0.1:9", "--explain"],
+        ["--encoding", "morse"],
     ],
 )  # fmt: skip
 def test_a_bad_option_gives_one_sentence(options: list[str], here: Here, tmp_path: Path) -> None:
@@ -276,8 +364,58 @@ def test_a_bad_input_line_is_named(line: str, here: Here, tmp_path: Path) -> Non
     assert "Line 2" in done.stderr
 
 
-def test_a_folder_cannot_be_checked(here: Here, tmp_path: Path) -> None:
-    one_sentence(here("check", tmp_path))
+def test_every_program_of_a_folder_is_checked(environment: dict[str, str], tmp_path: Path) -> None:
+    one_sentence(rosy(environment, "check", tmp_path))
+    names = ["a b.hs", "empty.hs", "u\u0308.hs", "ü.hs", f"{'n' * 250}.hs", "sub/c.hs"]
+    (tmp_path / "sub").mkdir()
+    for name in names:
+        (tmp_path / name).write_text("" if name == "empty.hs" else "drive:0.5")
+    (tmp_path / "link.hs").symlink_to("a b.hs")
+    done = rosy(environment, "check", tmp_path)
+    assert (done.stderr, done.returncode) == ("", 0)
+    assert sorted(done.stdout.splitlines()) == sorted(
+        f"{tmp_path}/{name}: no problems." for name in [*names, "link.hs"]
+    )
+    (tmp_path / "big.hs").write_text("a" * 10_000_000)
+    (tmp_path / "latin.hs").write_bytes(b"caf\xe9")
+    (tmp_path / "wrong.hs").write_text("refuse")
+    # Links that lead nowhere and to themselves.
+    (tmp_path / "nowhere.hs").symlink_to("missing.hs")
+    (tmp_path / "self.hs").symlink_to("self.hs")
+    done = rosy(environment, "check", tmp_path)
+    assert done.returncode == 1
+    assert len(done.stdout.splitlines()) == len(names) + 2
+    lines = done.stderr.splitlines()
+    assert len(lines) == 4
+    for line, name in zip(lines, ("big.hs", "latin.hs", "nowhere.hs", "self.hs"), strict=True):
+        assert f"{tmp_path}/{name}" in line
+    one_sentence(rosy(environment, "check", tmp_path, "--json"))
+
+
+@pytest.mark.parametrize(
+    "command",
+    [
+        ["check", "p.hs"], ["check", "."], ["run", "p.hs"], ["run", "."], ["build", "p.hs", "-o", "p"],
+        ["run", "p.hs", "--rooms", 1, "--family", "pits", "--hold", "never-falls"],
+    ],
+)  # fmt: skip
+def test_every_command_reads_programs_in_the_encoding_that_is_named(
+    command: list[object], environment: dict[str, str], tmp_path: Path
+) -> None:
+    (tmp_path / "p.hs").write_bytes("refuse größer".encode("latin-1"))
+    done = rosy(environment, *command)
+    assert done.returncode == 1
+    assert "see line 1, “refuse größer”. Save it as UTF-8 in your editor, or add --encoding Latin-1" in (
+        done.stdout + done.stderr
+    )
+    done = rosy(environment, *command, "--encoding", "Latin-1")
+    assert done.returncode == 1
+    assert "`move` gives a number." in done.stdout + done.stderr
+
+
+@pytest.mark.parametrize("command", ["run", "check"])
+def test_a_name_that_is_too_long_gives_one_sentence(command: str, here: Here) -> None:
+    one_sentence(here(command, "n" * 3000))
 
 
 def test_no_command_gives_one_sentence(here: Here) -> None:
@@ -285,14 +423,12 @@ def test_no_command_gives_one_sentence(here: Here) -> None:
     one_sentence(here("dance"))
 
 
-@pytest.mark.turns
 def test_a_worker_that_is_missing_or_dies_gives_one_sentence(environment: dict[str, str], tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("die")
     one_sentence(rosy(environment, "check", tmp_path / "p.hs"), 2)
     one_sentence(rosy({**environment, "ROSY_WORKER": "/nowhere"}, "check", tmp_path / "p.hs"), 2)
 
 
-@pytest.mark.turns
 def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
@@ -301,12 +437,10 @@ def test_a_port_in_use_gives_one_sentence(environment: dict[str, str]) -> None:
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "192.0.2.1"))
 
 
-@pytest.mark.turns
 def test_without_a_sandbox_only_this_machine_is_served(environment: dict[str, str]) -> None:
     one_sentence(rosy(environment, "serve", "--no-browser", "--host", "0.0.0.0", "--port", 0))
 
 
-@pytest.mark.turns
 @pytest.mark.usefixtures("here")
 def test_every_command_with_a_worker_warns_once_when_the_sandbox_is_missing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
@@ -325,7 +459,6 @@ def test_nothing_is_said_about_a_sandbox_that_is_there(config: Config, monkeypat
     assert missing_sandbox(replace(config, sandbox=True)) is None
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("sent", [signal.SIGTERM, signal.SIGINT])
 def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[str, str]) -> None:
     with subprocess.Popen(
@@ -343,7 +476,6 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
     assert not any(Path(f"/proc/{child}").exists() for child in children)
 
 
-@pytest.mark.turns
 def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, str]) -> None:
     with subprocess.Popen(
         [sys.executable, "-m", "rosy_sim", "serve", "--no-browser", "--port", "0"],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from pathlib import Path
 
@@ -11,7 +12,19 @@ FOLDERS = sorted({path.parent for path in (ROOT / "rosy_sim").rglob("*.py")})
 
 
 def test_packages_are_found_and_not_listed() -> None:
-    assert SETTINGS["packages"] == {"find": {"include": ["rosy_sim*"]}}
+    assert SETTINGS["packages"] == {"find": {"include": ["rosy_sim*"], "exclude": ["rosy_sim.bench*"]}}
+
+
+def test_nothing_that_is_packaged_imports_a_benchmark() -> None:
+    """The benchmarks are left out of the distribution and of installed trees."""
+    users = [
+        str(path.relative_to(ROOT))
+        for folder in FOLDERS
+        if folder.relative_to(ROOT).parts[:2] != ("rosy_sim", "bench")
+        for path in folder.glob("*.py")
+        if re.search(r"^\s*(?:from|import) (?:\.|rosy_sim)[\w.]*\bbench\b", path.read_text("utf-8"), re.MULTILINE)
+    ]
+    assert users == []
 
 
 def test_every_folder_with_code_is_a_package_that_can_be_found() -> None:

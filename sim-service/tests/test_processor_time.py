@@ -6,8 +6,6 @@ import os
 import subprocess
 import sys
 
-import pytest
-
 from rosy_sim.bench.processor_time import Identity, Seen, TimeMeter, spent
 
 TOP, CHILD, GRANDCHILD = (1, 0.0), (2, 0.0), (3, 0.0)
@@ -42,7 +40,6 @@ def test_what_was_too_short_to_be_seen_counts_for_the_parent_that_waited() -> No
     assert spent(tree(0.0, 5.0), {TOP, CHILD}) == 8.0
 
 
-@pytest.mark.turns
 def test_a_command_is_measured_with_all_below_it() -> None:
     # More than half a second each: the kernel counts in hundredths and leaves out what begins before the first look.
     busy = "import time\nwhile time.process_time() < 0.7: pass"

@@ -32,7 +32,6 @@ def test_json_means_the_same_without_control_characters() -> None:
     assert json.loads(text) == value
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("command", ["check", "run"])
 @pytest.mark.parametrize("script", ["refuse", "done@2", "error@2"])
 def test_the_name_of_a_file_gives_no_orders(
@@ -45,7 +44,6 @@ def test_the_name_of_a_file_gives_no_orders(
     assert not CONTROL.search(done.stdout + done.stderr)
 
 
-@pytest.mark.turns
 def test_a_file_that_is_not_there_gives_no_orders(environment: dict[str, str], tmp_path: Path) -> None:
     for words in (
         ["check", f"gone{ORDER}\n.hs"],
@@ -59,7 +57,6 @@ def test_a_file_that_is_not_there_gives_no_orders(environment: dict[str, str], t
         assert not CONTROL.search(line)
 
 
-@pytest.mark.turns
 def test_a_world_gives_no_orders(environment: dict[str, str], tmp_path: Path) -> None:
     goal = {"kind": "reach", "x": 1, "y": 1, "r": 0.3, "title": f"Get there{ORDER}"}
     world = tmp_path / "w.json"

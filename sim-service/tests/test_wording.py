@@ -113,7 +113,7 @@ _ALL_PROPERTIES = "reaches-goal never-falls never-pushes 1 s returns-to-start co
         ["check", "."],
         ["check", "broken.rosy"],
         ["build", "nowhere.hs"],
-        ["room", "flat.json"],
+        ["room", "p.hs"],
         ["replay", "p.hs", "p.hs", "--fit"],
         ["replay", "p.hs", "-o", "room.json"],
         ["nonsense"],
@@ -151,14 +151,15 @@ def test_no_command_says_anything_in_english(
     done = here(*command)
     said = done.stderr + "".join(line for line in done.stdout.splitlines() if not line.startswith("{"))
     assert said.strip() != ""
-    given = re.findall("[A-Za-z]{3,}", " ".join(command))
+    names = [path.name for path in tmp_path.iterdir()]
+    given = re.findall("[A-Za-z]{3,}", " ".join([*command, *names]))
     assert set(re.findall("[A-Za-z]{3,}", said)) - _KEPT - set(given) == set()
 
 
 # Names of ours, of options and of formats.
 _NAMES = """
 rosy help json start run class list export rooms file robot action world family name like ROOM off max int float tiles
-size seconds explain provenance trace check build lsp replay room command serve node
+size seconds explain provenance trace check build lsp replay robots room command serve node
 """
 
 _KEPT = set(re.findall("[A-Za-z]{3,}", f"{_NAMES} {_ALL_PROPERTIES} {' '.join(world_names())}"))

@@ -8,8 +8,8 @@ import type {Declaration, Expr, Pattern, Program, Statement} from "../model/synt
 import type {BlockId, SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
 import {words} from "../words/index.ts"
 import {blockView} from "./block_registry.ts"
-import type {BlockSpec, Reader} from "./block_spec.ts"
 import {foldedIn, foldedSteps} from "./folding.ts"
+import type {BlockSpec, Reader} from "./spec/block_spec.ts"
 
 /// A tree of blocks that belongs to no definition: an expression, a pattern or steps.
 export type Loose =

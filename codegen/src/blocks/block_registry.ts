@@ -1,18 +1,19 @@
 /// Registry of all kinds of blocks, and a block's spec by its type.
 
-import {annotatedPatterns} from "./annotated_patterns.ts"
-import type {BlockSpec} from "./block_spec.ts"
-import {choiceBlocks} from "./conditionals.ts"
-import {definitions} from "./definitions.ts"
+import {annotatedPatterns} from "./families/annotated_patterns.ts"
+import {choiceBlocks} from "./families/conditionals.ts"
+import {definitions} from "./families/definitions.ts"
+import {functions} from "./families/functions.ts"
+import {patterns} from "./families/patterns.ts"
+import {priority} from "./families/priority.ts"
+import {raw} from "./families/raw_haskell.ts"
+import {records} from "./families/records.ts"
+import {tasks} from "./families/tasks.ts"
+import {textDeclarations} from "./families/text_declarations.ts"
+import {ownTypes} from "./families/type_declarations.ts"
+import {values} from "./families/values.ts"
 import {withFoldedSteps} from "./folding.ts"
-import {functions} from "./functions.ts"
-import {patterns} from "./patterns.ts"
-import {raw} from "./raw_haskell.ts"
-import {records} from "./records.ts"
-import {tasks} from "./tasks.ts"
-import {textDeclarations} from "./text_declarations.ts"
-import {ownTypes} from "./type_declarations.ts"
-import {values} from "./values.ts"
+import type {BlockSpec} from "./spec/block_spec.ts"
 
 const specs: readonly BlockSpec[] = [
   ...definitions,
@@ -21,6 +22,7 @@ const specs: readonly BlockSpec[] = [
   ...values,
   ...records,
   ...choiceBlocks,
+  priority,
   ...functions,
   ...tasks,
   ...ownTypes,

@@ -6,9 +6,9 @@ import {printDeclarationAlone, printExprAlone, printPatternAlone} from "../haske
 import type {Declaration, Expr, Node, Pattern, Statement} from "../model/syntax_tree.ts"
 import type {SavedBlock, SavedInput} from "../serialized_blocks.ts"
 import {blockTypes} from "./block_registry.ts"
-import type {BlockSpec, WrittenBlock} from "./block_spec.ts"
-import {textIn} from "./block_spec.ts"
-import {labelsOf} from "./constructor_labels.ts"
+import type {BlockSpec, WrittenBlock} from "./spec/block_spec.ts"
+import {textIn} from "./spec/block_spec.ts"
+import {labelsOf} from "./spec/constructor_labels.ts"
 
 /// Gives a block its id; called once per block, parents first.
 export type NewId = (node: Node) => string

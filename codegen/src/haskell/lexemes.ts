@@ -40,7 +40,11 @@ const reservedOperators: ReadonlySet<string> = new Set([
   "=>",
   "--",
 ])
-const operatorCharacters = /^[!#$%&*+./<=>?@\\^|~:-]+$/
+/// The signs of the extension UnicodeSyntax, of which each is one of the reserved ones; without the extension an operator like any other. GHC User's Guide,
+/// "Unicode syntax".
+export const unicodeSyntax = /[∷⇒→←★∀⤙⤚⤛⤜]/g
+// Report §2.2: `symbol`. Not brackets and quotation marks, which GHC accepts in no name.
+const operatorCharacters = /^(?:(?![,;`'"_])[\p{S}\p{Pc}\p{Pd}\p{Po}])+$/u
 
 export function isVariableName(text: string): boolean {
   // Letters without case count as small ones, as GHC has it.
@@ -54,7 +58,12 @@ export function isConstructorName(text: string): boolean {
 }
 
 export function isOperator(text: string): boolean {
-  return operatorCharacters.test(text) && !reservedOperators.has(text) && !/^-{2,}$/.test(text)
+  return (
+    operatorCharacters.test(text) &&
+    !/^[∷⇒→←★∀⤙⤚⤛⤜]$/.test(text) &&
+    !reservedOperators.has(text) &&
+    !/^-{2,}$/.test(text)
+  )
 }
 
 /// A name or operator without the module before it: `M.!` is `!`, and `.` stays itself.

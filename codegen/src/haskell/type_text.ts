@@ -15,7 +15,7 @@ export function printType(type: TypeText): Doc {
 /// As a constructor's field: bracketed unless it is one word or bracketed already.
 export function atomicType(type: TypeText): Doc {
   const text = clean(type.text)
-  return mark(type, isAtomic(text) ? text : `(${text})`)
+  return mark(type, isAtomicType(text) ? text : `(${text})`)
 }
 
 function clean(text: string): string {
@@ -23,7 +23,9 @@ function clean(text: string): string {
   return oneLine === "" ? "_" : oneLine
 }
 
-function isAtomic(text: string): boolean {
+/// Whether a type needs no brackets as an argument of another one.
+export function isAtomicType(type: string): boolean {
+  const text = clean(type)
   if (!text.includes(" ") && !text.includes("->")) return true
   if (!/^[([]/.test(text)) return false
   let depth = 0

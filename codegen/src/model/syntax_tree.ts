@@ -2,7 +2,7 @@
 ///
 /// A node's identity is the object itself; two places never share one. `from` says which block, and which
 /// socket of it, a node was made from; nodes read from text have none. Types are kept as text, as a learner writes
-/// them; `types/type_parser.ts` reads them where their structure matters. Nothing here knows how a program looks.
+/// them; `types/syntax/type_parser.ts` reads them where their structure matters. Nothing here knows how a program looks.
 
 import type {BlockId} from "../serialized_blocks.ts"
 

@@ -305,6 +305,240 @@ export const robot = {
       "command"
     ]
   },
+  "roles": {
+    "events": [
+      "Bumper",
+      "BumperLeft",
+      "BumperCenter",
+      "BumperRight",
+      "Cliff",
+      "CliffLeft",
+      "CliffCenter",
+      "CliffRight",
+      "Wheel",
+      "WheelLeft",
+      "WheelRight",
+      "Button",
+      "ButtonZero",
+      "ButtonOne",
+      "ButtonTwo",
+      "RobotStatus",
+      "DigitalInput",
+      "Ahead",
+      "Scan"
+    ],
+    "views": {
+      "BumperLeft": "Bumper",
+      "BumperCenter": "Bumper",
+      "BumperRight": "Bumper",
+      "CliffLeft": "Cliff",
+      "CliffCenter": "Cliff",
+      "CliffRight": "Cliff",
+      "WheelLeft": "Wheel",
+      "WheelRight": "Wheel",
+      "ButtonZero": "Button",
+      "ButtonOne": "Button",
+      "ButtonTwo": "Button"
+    },
+    "states": [
+      "Velocity",
+      "Position",
+      "Orientation",
+      "Pose",
+      "TurnRate",
+      "Battery",
+      "Charger",
+      "DockInfraRed",
+      "AnalogInput"
+    ],
+    "odometry": [
+      "Velocity",
+      "Position",
+      "Orientation",
+      "Pose"
+    ],
+    "commands": [
+      "Velocity",
+      "Led1",
+      "Led2",
+      "ExternalPower",
+      "MotorPower",
+      "Sound",
+      "Say"
+    ],
+    "held": [
+      "Velocity",
+      "Led1",
+      "Led2",
+      "MotorPower"
+    ],
+    "records": [
+      "Bumper",
+      "BumperLeft",
+      "BumperCenter",
+      "BumperRight",
+      "Cliff",
+      "CliffLeft",
+      "CliffCenter",
+      "CliffRight",
+      "Wheel",
+      "WheelLeft",
+      "WheelRight",
+      "Button",
+      "ButtonZero",
+      "ButtonOne",
+      "ButtonTwo",
+      "Velocity",
+      "Position",
+      "Orientation",
+      "Pose",
+      "TurnRate",
+      "Battery",
+      "DockInfraRed",
+      "DigitalInput",
+      "AnalogInput",
+      "Ahead",
+      "Scan",
+      "Led1",
+      "Led2",
+      "ExternalPower",
+      "Say"
+    ]
+  },
+  "codes": {
+    "Button": [
+      {
+        "0": "Button0",
+        "1": "Button1",
+        "2": "Button2"
+      },
+      {
+        "1": "Pressed",
+        "0": "Released"
+      }
+    ],
+    "Bumper": [
+      {
+        "0": "LeftBumper",
+        "1": "CenterBumper",
+        "2": "RightBumper"
+      },
+      {
+        "1": "Pressed",
+        "0": "Released"
+      }
+    ],
+    "Cliff": [
+      {
+        "0": "LeftCliff",
+        "1": "CenterCliff",
+        "2": "RightCliff"
+      },
+      {
+        "1": "Hole",
+        "0": "Floor"
+      }
+    ],
+    "Wheel": [
+      {
+        "0": "LeftWheel",
+        "1": "RightWheel"
+      },
+      {
+        "1": "Air",
+        "0": "Ground"
+      }
+    ],
+    "RobotStatus": [
+      {
+        "1": "Online",
+        "0": "Offline"
+      }
+    ],
+    "Charger": [
+      {
+        "0": "Discharging",
+        "2": "DockingCharged",
+        "6": "DockingCharging",
+        "18": "AdapterCharged",
+        "22": "AdapterCharging"
+      }
+    ],
+    "DockInfraRed": [
+      {
+        "0": "NoSignal",
+        "1": "NearLeft",
+        "2": "NearCenter",
+        "4": "NearRight",
+        "8": "FarCenter",
+        "16": "FarLeft",
+        "32": "FarRight"
+      },
+      {
+        "0": "NoSignal",
+        "1": "NearLeft",
+        "2": "NearCenter",
+        "4": "NearRight",
+        "8": "FarCenter",
+        "16": "FarLeft",
+        "32": "FarRight"
+      },
+      {
+        "0": "NoSignal",
+        "1": "NearLeft",
+        "2": "NearCenter",
+        "4": "NearRight",
+        "8": "FarCenter",
+        "16": "FarLeft",
+        "32": "FarRight"
+      }
+    ],
+    "Led1": [
+      {
+        "0": "Black",
+        "1": "Green",
+        "2": "Orange",
+        "3": "Red"
+      }
+    ],
+    "Led2": [
+      {
+        "0": "Black",
+        "1": "Green",
+        "2": "Orange",
+        "3": "Red"
+      }
+    ],
+    "ExternalPower": [
+      {
+        "0": "Power3V1A",
+        "1": "Power5V1A",
+        "2": "Power12V5A",
+        "3": "Power12V1A"
+      },
+      {
+        "1": "PowerOn",
+        "0": "PowerOff"
+      }
+    ],
+    "MotorPower": [
+      {
+        "1": "MotorsOn",
+        "0": "MotorsOff"
+      }
+    ],
+    "Sound": [
+      {
+        "0": "OnSound",
+        "1": "OffSound",
+        "2": "RechargeSound",
+        "3": "ButtonSound",
+        "4": "ErrorSound",
+        "5": "CleaningStartSound",
+        "6": "CleaningEndSound"
+      }
+    ]
+  },
   "units": {
     "Velocity": [
       "m/s",

@@ -1,5 +1,5 @@
-/// Names in declarations that say something about another definition: signatures apart from their equations, fixity declarations and pragmas.
-/// Text in, text out.
+/// Names in declarations that say something about another definition: signatures apart from their equations, fixity declarations and pragmas;
+/// and the extensions of the language that a file turns on. Text in, text out.
 
 const word = String.raw`[\p{L}_][\p{L}\p{N}_']*`
 const symbols = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
@@ -36,4 +36,13 @@ export function renamedInDirective(text: string, old: string, name: string): str
   const type = rest.search(/::|∷/)
   const names = type < 0 ? rest : rest.slice(0, type)
   return head + replaced(names, prefixName, prefix) + rest.slice(names.length)
+}
+
+/// Extensions of the language that the LANGUAGE pragmas of a text turn on.
+export function extensionsIn(text: string): ReadonlySet<string> {
+  return new Set(
+    [...text.matchAll(/\{-#\s*LANGUAGE\s([^#]*)#-\}/gi)].flatMap(([, names = ""]) =>
+      names.split(",").map(name => name.trim()),
+    ),
+  )
 }

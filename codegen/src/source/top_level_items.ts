@@ -142,7 +142,8 @@ function columnOf(text: string, lineStart: number, at: number): number {
 const continues = new Set([")", "]", "}", ",", ";", "=", "|", "->", "then", "else", "of", "in", "where"])
 
 /// The top-level items of a file, and its comments. `marginAbove` is the margin of the file when `text` is what follows some of its definitions.
-export function lex(text: string, marginAbove?: number): Lexed {
+/// `hasUnicodeSyntax`: `∷` stands between a name and its type, too.
+export function lex(text: string, marginAbove?: number, hasUnicodeSyntax = isUnicodeSyntaxOn(text)): Lexed {
   const {tokens, comments, dashed, isEveryCommentClosed} = scan(text)
   const items: Item[] = []
   let margin = marginAbove
@@ -153,7 +154,12 @@ export function lex(text: string, marginAbove?: number): Lexed {
   const close = (): void => {
     const last = open?.tokens[open.tokens.length - 1]
     if (open === undefined || last === undefined) return
-    items.push({kind: open.kind, start: open.start, end: last.end, ...nameOf(text, open.tokens)})
+    items.push({
+      kind: open.kind,
+      start: open.start,
+      end: last.end,
+      ...nameOf(text, open.tokens, hasUnicodeSyntax),
+    })
     open = undefined
   }
 
@@ -224,31 +230,46 @@ const keywords = new Set(
 function nameOf(
   text: string,
   tokens: readonly LayoutToken[],
+  hasUnicodeSyntax: boolean,
 ): {name: string; signature: boolean; type: boolean} {
-  const said = (i: number): string => {
-    const t = tokens[i]
-    return t === undefined ? "" : text.slice(t.start, t.end)
-  }
+  const said = (i: number): string => wordOf(text, tokens[i], hasUnicodeSyntax)
   const named = (name: string, next: number) => ({name, signature: said(next) === "::", type: false})
   const noHead = {name: "", signature: false, type: false}
-  if (said(0) === "(" && said(2) === ")" && isSymbol(said(1))) return named(said(1), 3)
+  // A type for several operators at once belongs to none of them.
+  if (said(0) === "(" && said(2) === ")" && isSymbol(said(1)))
+    return said(3) === "," ? noHead : named(said(1), 3)
   const head = said(0)
   if (["data", "newtype", "type"].includes(head))
     return {name: /^\p{Lu}/u.test(said(1)) ? said(1) : "", signature: false, type: true}
   if (keywords.has(head)) return noHead
-  const operator = operatorDefined(text, tokens)
+  const operator = operatorDefined(text, tokens, hasUnicodeSyntax)
   if (operator !== undefined) return {name: operator, signature: false, type: false}
   const isName = tokens[0]?.kind === "word" && /^[\p{Ll}\p{Lo}_]/u.test(head)
   return isName && said(1) !== "," && said(1) !== "@" ? named(head, 1) : noHead
 }
 
+/// The text of a token; empty for none.
+function wordOf(text: string, token: LayoutToken | undefined, hasUnicodeSyntax: boolean): string {
+  const word = token === undefined ? "" : text.slice(token.start, token.end)
+  return hasUnicodeSyntax && word === "∷" ? "::" : word
+}
+
+/// Whether a text switches on the extension UnicodeSyntax.
+export function isUnicodeSyntaxOn(text: string): boolean {
+  return text.includes("UnicodeSyntax") && /\{-#\s*LANGUAGE\b[^#]*\bUnicodeSyntax\b/i.test(text)
+}
+
 /// The operator between the patterns of an equation, before its `=` or `|`; in `(f <+> g) x = …` it stands in brackets.
-function operatorDefined(text: string, tokens: readonly LayoutToken[]): string | undefined {
+function operatorDefined(
+  text: string,
+  tokens: readonly LayoutToken[],
+  hasUnicodeSyntax: boolean,
+): string | undefined {
   let depth = 0
   let bracketed: string | undefined
   let closed: number | undefined
   for (const [i, t] of tokens.entries()) {
-    const said = text.slice(t.start, t.end)
+    const said = wordOf(text, t, hasUnicodeSyntax)
     if ("([{".includes(said)) depth++
     else if (")]}".includes(said)) {
       depth--

@@ -16,20 +16,21 @@ import type {
   Statement,
 } from "../model/syntax_tree.ts"
 import {deferConstraints, reduceConstraints} from "./class_constraints.ts"
-import {unknown} from "./environment.ts"
+import {unknown} from "./environment/environment.ts"
+import type {Rigid} from "./environment/unification.ts"
 import {generalise} from "./generalisation.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, inferWithinBounds, mono} from "./inference_state.ts"
 import {checkDistinct, inferPattern} from "./pattern_inference.ts"
-import type {Scope} from "./scope.ts"
 import type {WrittenSignature} from "./standalone_signatures.ts"
 import {checkBindings, readTextDeclaration} from "./standalone_signatures.ts"
-import {stronglyConnectedComponents} from "./strongly_connected_components.ts"
-import type {Scheme, Type} from "./type.ts"
-import {asFunction, bool, fun, metasIn, rigidsIn, substitute} from "./type.ts"
-import {isBeyondInference, readSignature, unifyAt} from "./type_lookup.ts"
-import type {Wanted} from "./type_problems.ts"
-import type {Rigid} from "./unification.ts"
+import type {Scope} from "./syntax/scope.ts"
+import {stronglyConnectedComponents} from "./syntax/strongly_connected_components.ts"
+import type {Scheme, Type} from "./syntax/type.ts"
+import {asFunction, bool, fun, metasIn, rigidsIn, substitute} from "./syntax/type.ts"
+import {apartFromForall} from "./syntax/type_parser.ts"
+import type {Wanted} from "./syntax/type_problems.ts"
+import {isBeyondInference, readDefinitionSignature, unifyAt} from "./type_lookup.ts"
 
 /// Maximum number of parameters, arguments or items of a tuple that are inferred: each may be a level of a type, and functions over types are recursive.
 const mostParts = 500
@@ -54,7 +55,9 @@ export function inferGroup(
       if (byName.has(name) || (top && s.env.fields?.has(name) === true))
         s.problems.push({kind: "twice", node: d, name})
       byName.set(name, i)
-      if (top && s.env.fixed.has(name)) s.problems.push({kind: "taken", node: d, name})
+      // A name of the Prelude may be defined anew as long as it stands nowhere without a qualifier.
+      if (top && s.env.fixed.has(name) && declarations.some(other => s.freeNames(other).has(name)))
+        s.problems.push({kind: "taken", node: d, name})
       // Known from the start, also to lookups of the scope before its turn; its type comes with its component.
       const placeholder = mono(freshMeta(s))
       scope.set(name, placeholder)
@@ -66,7 +69,9 @@ export function inferGroup(
     if (elsewhere !== undefined) s.unsignable.add(d)
     const own = d.signature === undefined ? elsewhere : {text: d.signature.text, node: d.signature}
     if (own === undefined) return
-    const scheme = top ? s.readTopSignature(own.text, own.node) : readSignature(s, own.text, own.node)
+    const scheme = top
+      ? s.readTopSignature(own.text, own.node)
+      : readDefinitionSignature(s, own.text, own.node)
     if (scheme !== undefined) {
       signatures.set(d, scheme)
       scope.set(d.name, scheme)
@@ -112,15 +117,29 @@ function inferComponent(
       checkAgainstSignature(s, only, signature, scope)
     else inferJointly(s, members, scope, top)
   }
-  const {problems, wanted} = {problems: s.problems.length, wanted: s.wanted}
+  const {problems, wanted, typesApart} = {
+    problems: s.problems.length,
+    wanted: s.wanted,
+    typesApart: s.typesApart,
+  }
+  const isUnread = members.some(d => d.kind === "function" && d.signature !== undefined && !signatures.has(d))
   if (!top) infer()
   else if (members.some(isTooLargeToInfer) || !inferWithinBounds(s, infer)) {
+    s.typesApart = typesApart
     leaveToGhc(s, members, scope, signatures)
     return
   }
-  if (!members.some(d => d.kind === "function" && isBeyondInference(s, d.signature?.text ?? ""))) return
+  if (isUnread && s.typesApart !== undefined && s.typesApart !== typesApart)
+    s.typesApart.isBeyondInference = true
+  if (
+    !members.some(
+      d => d.kind === "function" && isBeyondInference(s, apartFromForall(d.signature?.text ?? "").type),
+    )
+  )
+    return
   s.problems.length = problems
   s.wanted = wanted
+  s.typesApart = typesApart
   leaveToGhc(s, members, scope)
 }
 
@@ -176,10 +195,13 @@ export function checkAgainstSignature(
   s.level++
   const {opaque} = s
   const givens = scheme.constraints.map(c => ({name: c.name, type: substitute(c.type, rigid)}))
-  const {scoped} = s
-  s.scoped = new Map([...scoped, ...[...rigid].filter(([name]) => head.has(name))])
+  const {scoped, signed} = s
+  const isScoped = (name: string) => head.has(name) || scheme.scoped?.includes(name) === true
+  s.scoped = new Map([...scoped, ...[...rigid].filter(([name]) => isScoped(name))])
+  s.signed = true
   inferClauses(s, d, substitute(scheme.type, rigid), scope)
   s.scoped = scoped
+  s.signed = signed
   s.level--
   const {stuck} = reduceConstraints(s, s.wanted, givens)
   // What follows from a class of the program's own, or from a name for several constraints, only GHC knows.
@@ -189,8 +211,8 @@ export function checkAgainstSignature(
   for (const c of stuck) {
     // Only about variables that s signature promises to work for.
     const mine = metasIn(c.type).size === 0 && [...rigidsIn(c.type)].some(v => own.has(v))
-    if (mine && (s.opaque > opaque || hasUnreadClass)) continue
-    if (mine) s.problems.push({kind: "too-general", node: c.node, constraint: c})
+    if (mine && (s.opaque > opaque || hasUnreadClass)) s.env.assumed.push(c)
+    else if (mine) s.problems.push({kind: "too-general", node: c.node, constraint: c})
     else deferred.push(c)
   }
   s.wanted = before
@@ -213,12 +235,15 @@ function inferJointly(s: InferenceState, members: readonly Declaration[], scope:
       inferPattern(s, d.pattern, type, scope)
     }
   }
+  const {signed} = s
+  s.signed = false
   for (const d of members) {
     const type = types.get(d)
     if (type === undefined) continue
     if (d.kind === "function") inferClauses(s, d, type, scope)
     else if (d.kind === "binding") inferRightHandSide(s, (d as PatternBinding).right, type, scope)
   }
+  s.signed = signed
   s.level--
   const {stuck} = reduceConstraints(s, s.wanted, [])
   s.wanted = before
@@ -256,9 +281,23 @@ export function inferClauses(s: InferenceState, d: FunctionDeclaration, type: Ty
 }
 
 function inferClause(s: InferenceState, c: Clause, type: Type, scope: Scope): void {
-  const inner = scope.inner()
-  const result = inferParameters(s, c.patterns, type, inner)
-  inferRightHandSide(s, c.right, result, inner)
+  inferRefined(s, () => {
+    const inner = scope.inner()
+    const result = inferParameters(s, c.patterns, type, inner)
+    inferRightHandSide(s, c.right, result, inner)
+  })
+}
+
+/// Infers patterns and what stands behind them. Where a constructor's type is only GHC's to know, it may say what a variable of a signature stands for
+/// (GADTs), so that nothing is said that depends on it.
+export function inferRefined(s: InferenceState, infer: () => void): void {
+  const {opaque, typesApart} = s
+  const before = s.problems.length
+  infer()
+  if (s.opaque === opaque) return
+  if (s.typesApart !== undefined && s.typesApart !== typesApart) s.typesApart.isBeyondInference = true
+  const found = s.problems.splice(before)
+  s.problems.push(...found.filter(p => p.kind !== "mismatch" || !p.isOfVariable))
 }
 
 /// Patterns that take the parameters of a function; answers the type of what it makes.

@@ -1,10 +1,10 @@
 /// Class constraints during inference: reduction, deferral, defaulting, and errors.
 
+import {reduce} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
-import type {Constraint, Meta} from "./type.ts"
-import {con, metasIn, prune, spine} from "./type.ts"
-import type {Wanted} from "./type_problems.ts"
-import {reduce} from "./unification.ts"
+import type {Constraint, Meta} from "./syntax/type.ts"
+import {checkSize, con, metasIn, prune, spine} from "./syntax/type.ts"
+import type {Wanted} from "./syntax/type_problems.ts"
 
 /// Whether a constraint that was stuck on an unknown type would get further by now.
 function isKnownNow(c: Constraint): boolean {
@@ -45,7 +45,10 @@ export function deferConstraints(
 /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
 function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
   const holes = new Set<Meta>()
-  for (const h of s.holes) metasIn(h, holes)
+  for (const h of s.holes) {
+    checkSize(h)
+    metasIn(h, holes)
+  }
   const groups = new Map<Meta, Wanted[]>()
   for (const c of constraints) {
     const [first] = metasIn(c.type)
@@ -99,6 +102,7 @@ export function reduceConstraints(
   wanted: readonly Wanted[],
   givens: readonly Constraint[],
 ): {stuck: Wanted[]} {
+  for (const w of wanted) checkSize(w.type)
   let stuck: Wanted[] = []
   let todo = wanted
   // `Ends` decides types while it is reduced, so what was stuck before it may be known after it.

@@ -9,14 +9,16 @@ import {
   inferGuards,
   inferParameters,
   inferQualifiers,
+  inferRefined,
   inferRightHandSide,
 } from "./binding_inference.ts"
-import {expand} from "./environment.ts"
+import {expand, unknown} from "./environment/environment.ts"
+import {unify} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, recordWatched, unknownType} from "./inference_state.ts"
 import {checkDistinct, inferPattern} from "./pattern_inference.ts"
-import type {Scope} from "./scope.ts"
-import type {Type} from "./type.ts"
+import type {Scope} from "./syntax/scope.ts"
+import type {Type} from "./syntax/type.ts"
 import {
   app,
   asFunction,
@@ -25,13 +27,14 @@ import {
   fun,
   funs,
   listOf,
+  prune,
   spine,
   string,
   substitute,
   tupleOf,
   unit,
   variablesIn,
-} from "./type.ts"
+} from "./syntax/type.ts"
 import {
   instantiate,
   isPossiblyImported,
@@ -43,12 +46,12 @@ import {
   typeOfOperator,
   unifyAt,
 } from "./type_lookup.ts"
-import {unify} from "./unification.ts"
 
 /// The type of a stack of steps without a step, where nothing else decides it.
 const emptyTask: Type = app(con("Task"), unit)
 
-export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: Scope): void {
+export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope: Scope): void {
+  const type = apartFrom(s, e, wanted)
   s.found.set(e, type)
   switch (e.kind) {
     case "variable":
@@ -74,7 +77,10 @@ export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: S
       return
     }
     case "infix":
-      if (e.op === "$") {
+      if (isGroupedByGuess(s, e, scope)) {
+        s.holes.push(type)
+        for (const operand of [e.left, e.right]) checkExpression(s, operand, unknownType(s, e.op), scope)
+      } else if (e.op === "$") {
         const fn = freshMeta(s)
         checkExpression(s, e.left, fn, scope)
         inferApplication(s, fn, [e.right], type, e, scope)
@@ -92,8 +98,12 @@ export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: S
       return
     }
     case "lambda": {
+      // A function that only GHC knows may pass one that is used at several types: `mask $ \restore -> …`.
+      const expected = prune(type)
+      const isForeign = expected.kind === "meta" && expected.isForeign === true
       const inner = scope.inner()
       const result = inferParameters(s, e.parameters, type, inner)
+      if (isForeign) for (const p of e.parameters) if (p.kind === "name-pattern") inner.set(p.name, unknown)
       checkExpression(s, e.body, result, inner)
       return
     }
@@ -120,9 +130,13 @@ export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: S
     case "let":
       checkExpression(s, e.body, type, inferGroup(s, e.declarations, scope, false))
       return
-    case "do":
-      inferStatements(s, e.statements, type, scope)
+    case "do": {
+      // A `do` of one step is that step, whatever its type.
+      const [only, ...more] = e.statements
+      if (only?.kind === "statement" && more.length === 0) checkExpression(s, only.expr, type, scope)
+      else inferStatements(s, e.statements, type, scope)
       return
+    }
     case "tuple": {
       const items = e.items.map(() => freshMeta(s))
       const open = items.filter((_, i) => e.items[i]?.kind === "gap")
@@ -156,7 +170,12 @@ export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: S
       return
     case "typed": {
       const scheme = readSignature(s, e.type.text, e.type)
-      const inner = scheme === undefined ? type : instantiate(s, scheme, e)
+      if (scheme === undefined) {
+        s.holes.push(type)
+        checkExpression(s, e.expr, unknownType(s), scope)
+        return
+      }
+      const inner = instantiate(s, scheme, e)
       unifyAt(s, type, inner, e)
       checkExpression(s, e.expr, inner, scope)
       return
@@ -192,6 +211,26 @@ export function checkExpression(s: InferenceState, e: Expr, type: Type, scope: S
   }
 }
 
+/// Whether a chain has an operator without a known type. Its fixity is unknown, too, so that nothing may be said that depends on what belongs
+/// together.
+function isGroupedByGuess(s: InferenceState, e: Expr & {kind: "infix"}, scope: Scope): boolean {
+  const inside = [e.left, e.right].filter(operand => operand.kind === "infix")
+  const isKnown = (op: string) => {
+    const scheme = scope.get(op) ?? s.env.values.get(op) ?? s.env.constructors.get(op)?.scheme
+    return [":", "$"].includes(op) || (scheme !== undefined && scheme.unknown !== true)
+  }
+  return inside.length > 0 && ![e, ...inside].every(({op}) => isKnown(op))
+}
+
+/// The type to infer an expression with: a new one for the block that is kept apart from its place.
+function apartFrom(s: InferenceState, e: Expr, wanted: Type): Type {
+  if (s.apart === undefined || s.typesApart !== undefined) return wanted
+  if (e.from?.block !== s.apart || e.from.input !== undefined) return wanted
+  const own = freshMeta(s)
+  s.typesApart = {own, wanted, isSigned: s.signed, isBeyondInference: false}
+  return own
+}
+
 function inferAlternatives(
   s: InferenceState,
   all: readonly Alternative[],
@@ -199,12 +238,13 @@ function inferAlternatives(
   type: Type,
   scope: Scope,
 ): void {
-  for (const a of all) {
-    checkDistinct(s, [a.pattern])
-    const inner = scope.inner()
-    inferPattern(s, a.pattern, of, inner)
-    inferRightHandSide(s, a.right, type, inner)
-  }
+  for (const a of all)
+    inferRefined(s, () => {
+      checkDistinct(s, [a.pattern])
+      const inner = scope.inner()
+      inferPattern(s, a.pattern, of, inner)
+      inferRightHandSide(s, a.right, type, inner)
+    })
 }
 
 function inferApplication(
@@ -220,7 +260,10 @@ function inferApplication(
   for (const _ of args) {
     let f = asFunction(result)
     if (f === undefined) {
-      f = {from: freshMeta(s), to: freshMeta(s)}
+      const head = prune(result)
+      const part = () =>
+        head.kind === "meta" && head.isForeign === true ? {...freshMeta(s), isForeign: true} : freshMeta(s)
+      f = {from: part(), to: part()}
       const clash = unify(result, fun(f.from, f.to))
       if (clash !== undefined) s.problems.push({kind: "too-many-arguments", node, type: fn})
     }

@@ -3,12 +3,12 @@
 import {bindersIn} from "../model/name_resolution.ts"
 import type {Declaration} from "../model/syntax_tree.ts"
 import {deferConstraints} from "./class_constraints.ts"
+import {simplify} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
-import type {Scope} from "./scope.ts"
-import type {Meta, Scheme, Type} from "./type.ts"
-import {metasIn, variablesIn} from "./type.ts"
-import type {Wanted} from "./type_problems.ts"
-import {simplify} from "./unification.ts"
+import type {Scope} from "./syntax/scope.ts"
+import type {Meta, Scheme, Type} from "./syntax/type.ts"
+import {checkSize, metasIn, variablesIn} from "./syntax/type.ts"
+import type {Wanted} from "./syntax/type_problems.ts"
 
 /// Turns the unknowns that belong to these definitions into variables of their types. Definitions without parameters keep
 /// constrained unknowns for their uses to decide (Haskell 2010 report §4.5.5, the monomorphism restriction).
@@ -23,6 +23,7 @@ export function generalise(
   const restricted = members.some(
     d => d.kind === "binding" || (d.kind === "function" && d.clauses.every(c => c.patterns.length === 0)),
   )
+  for (const type of types.values()) checkSize(type)
   const own = new Set<Meta>()
   for (const type of types.values()) for (const m of metasIn(type)) if (m.level > s.level) own.add(m)
   if (restricted)
@@ -52,6 +53,7 @@ export function generalise(
   const foreign = new Set<Meta>()
   if (alive.length > 0)
     for (const h of s.holes) {
+      checkSize(h)
       metasIn(h, open)
       if (!s.sockets.has(h)) metasIn(h, foreign)
     }

@@ -18,29 +18,41 @@ import type {
   SynonymDeclaration,
   TypeText,
 } from "../model/syntax_tree.ts"
+import type {BlockId} from "../serialized_blocks.ts"
 import {inferGroup} from "./binding_inference.ts"
 import {reduceConstraints, solveRemaining} from "./class_constraints.ts"
-import {classHead} from "./declaration_scanner.ts"
-import type {Environment} from "./environment.ts"
-import {expand} from "./environment.ts"
+import {classHead} from "./environment/declaration_scanner.ts"
+import type {Environment} from "./environment/environment.ts"
+import {expand} from "./environment/environment.ts"
+import {isKnownClass} from "./environment/kinds.ts"
+import {library} from "./environment/standard_library.ts"
+import {reduce} from "./environment/unification.ts"
 import {checkExpression, inferStatements} from "./expression_inference.ts"
 import type {CachedGroup, InferenceCache} from "./inference_cache.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, inferWithinBounds} from "./inference_state.ts"
 import {checkDuplicateInstances, inferInstance} from "./instance_inference.ts"
-import {isKnownClass} from "./kinds.ts"
 import {inferPattern} from "./pattern_inference.ts"
-import {Scope} from "./scope.ts"
-import {library} from "./standard_library.ts"
-import type {Scheme, Type} from "./type.ts"
-import {app, con, metasIn, showScheme} from "./type.ts"
-import {readSignature} from "./type_lookup.ts"
-import {reduce} from "./unification.ts"
+import {Scope} from "./syntax/scope.ts"
+import type {Scheme, Type} from "./syntax/type.ts"
+import {app, con, metasIn, showScheme} from "./syntax/type.ts"
+import {apartFromForall} from "./syntax/type_parser.ts"
+import {readDefinitionSignature, readSignature} from "./type_lookup.ts"
 
 /// A new inference in an environment. `typesKey` identifies the program's own types for the cache; `watch` is a socket to ask about.
 export function createInference(
   env: Environment,
-  {cache, typesKey = "", watch}: {cache?: InferenceCache; typesKey?: string; watch?: Origin | undefined} = {},
+  {
+    cache,
+    typesKey = "",
+    watch,
+    apart,
+  }: {
+    cache?: InferenceCache
+    typesKey?: string
+    watch?: Origin | undefined
+    apart?: BlockId | undefined
+  } = {},
 ): InferenceState {
   const s: InferenceState = {
     env,
@@ -48,12 +60,14 @@ export function createInference(
     schemes: new Map(),
     problems: [],
     holes: [],
+    foreignNames: new Map(),
     sockets: new Set(),
     wanted: [],
     pending: [],
     level: 0,
     count: 0,
     lenient: false,
+    signed: false,
     opaque: 0,
     strays: new Map(),
     scoped: new Map(),
@@ -64,6 +78,8 @@ export function createInference(
     watch,
     watched: undefined,
     watchedType: undefined,
+    apart,
+    typesApart: undefined,
     check: (e, type, scope) => checkExpression(s, e, type, scope),
     freeNames: d => cache?.freeIn(d) ?? freeInDeclaration(d),
     inferTopGroup: (members, scope, infer) => inferCached(s, cache, typesKey, members, scope, infer),
@@ -207,12 +223,12 @@ function readCached(
   const known = cache?.signatures.get(node)
   if (known?.typesKey === typesKey && known.text === text) {
     s.problems.push(...known.problems)
-    if (known.isLarge) s.largeTypes.add(text)
+    if (known.isLarge) s.largeTypes.add(apartFromForall(text).type)
     return known.scheme
   }
   const before = s.problems.length
-  const scheme = readSignature(s, text, node)
-  const isLarge = s.largeTypes.has(text)
+  const scheme = readDefinitionSignature(s, text, node)
+  const isLarge = s.largeTypes.has(apartFromForall(text).type)
   cache?.signatures.set(node, {typesKey, text, scheme, problems: s.problems.slice(before), isLarge})
   return scheme
 }
@@ -226,7 +242,7 @@ function inferCached(
   scope: Scope,
   infer: () => void,
 ): void {
-  const watched = s.watch?.block
+  const watched = s.watch?.block ?? s.apart
   // What is looked at must be gone through; all else may be remembered.
   const fresh = cache === undefined || (watched !== undefined && members.some(d => cache.holds(d, watched)))
   const key = fresh ? undefined : cacheKey(typesKey, members, scope, cache)

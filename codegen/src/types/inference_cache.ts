@@ -7,9 +7,9 @@ import {everyNode} from "../model/child_nodes.ts"
 import {freeInDeclaration} from "../model/name_resolution.ts"
 import type {Declaration, Node} from "../model/syntax_tree.ts"
 import type {BlockId} from "../serialized_blocks.ts"
-import type {Environment} from "./environment.ts"
-import type {Scheme, Type} from "./type.ts"
-import type {TypeProblem} from "./type_problems.ts"
+import type {Environment} from "./environment/environment.ts"
+import type {Scheme, Type} from "./syntax/type.ts"
+import type {TypeProblem} from "./syntax/type_problems.ts"
 
 /// The types of a group of definitions that use each other.
 export interface InferredGroup {

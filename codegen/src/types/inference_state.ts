@@ -4,12 +4,13 @@
 /// (bindings contain expressions, expressions contain bindings) and are set once, by `createInference`.
 
 import type {Declaration, Expr, Node, Origin} from "../model/syntax_tree.ts"
-import type {Environment} from "./environment.ts"
+import type {BlockId} from "../serialized_blocks.ts"
+import type {Environment} from "./environment/environment.ts"
 import type {InferredGroup} from "./inference_cache.ts"
-import type {Scope} from "./scope.ts"
-import type {Meta, Scheme, Type} from "./type.ts"
-import {TypeTooLarge} from "./type.ts"
-import type {TypeProblem, Wanted} from "./type_problems.ts"
+import type {Scope} from "./syntax/scope.ts"
+import type {Meta, Scheme, Type} from "./syntax/type.ts"
+import {checkSize, TypeTooLarge} from "./syntax/type.ts"
+import type {TypeProblem, Wanted} from "./syntax/type_problems.ts"
 
 export interface InferenceState {
   readonly env: Environment
@@ -19,6 +20,8 @@ export interface InferenceState {
   readonly problems: TypeProblem[]
   /// Types that a hole, an error or text for GHC leaves open; they cause no further problem.
   readonly holes: Type[]
+  /// The names whose types some of `holes` are.
+  readonly foreignNames: Map<Type, string>
   /// Those of `holes` that are empty sockets.
   readonly sockets: Set<Type>
   wanted: Wanted[]
@@ -30,6 +33,8 @@ export interface InferenceState {
   count: number
   /// Whether undefined names are accepted, as in loose blocks.
   lenient: boolean
+  /// Whether the definition that is being inferred is checked against a signature.
+  signed: boolean
   /// Number of patterns of constructors whose type only GHC knows; these may refine a type (GADTs).
   opaque: number
   /// Types of undefined names while `lenient`.
@@ -49,11 +54,24 @@ export interface InferenceState {
   readonly watch: Origin | undefined
   watched: Scope | undefined
   watchedType: Type | undefined
+  /// A block whose own type is kept apart from the one that its place wants; answered by `typesApart`.
+  readonly apart: BlockId | undefined
+  typesApart: TypesApart | undefined
 
   readonly check: (e: Expr, type: Type, scope: Scope) => void
   readonly freeNames: (d: Declaration) => Set<string>
   readonly inferTopGroup: (members: readonly Declaration[], scope: Scope, infer: () => void) => void
   readonly readTopSignature: (text: string, node: Node) => Scheme | undefined
+}
+
+/// Types of a block and of its place before they become one.
+export interface TypesApart {
+  readonly own: Type
+  readonly wanted: Type
+  /// The innermost definition around the block has a signature, so that its type does not follow from the block.
+  readonly isSigned: boolean
+  /// Inside a clause or an alternative whose constructor may refine types (GADTs), or a definition whose signature cannot be read.
+  isBeyondInference: boolean
 }
 
 export function freshMeta(s: InferenceState): Meta {
@@ -68,27 +86,37 @@ export function recordWatched(s: InferenceState, from: Origin | undefined, type:
   s.watchedType = type
 }
 
-/// The type of an error, or of text that only GHC understands: it decides nothing and causes no second problem.
-export function unknownType(s: InferenceState): Type {
-  const type = freshMeta(s)
+/// The type of an error, or of text that only GHC understands: it decides nothing and causes no second problem. `name`
+/// is whose type it is.
+export function unknownType(s: InferenceState, name?: string): Type {
+  const type: Meta = {...freshMeta(s), isForeign: true}
+  if (name !== undefined) s.foreignNames.set(type, name)
   s.holes.push(type)
   return type
 }
 
 export const mono = (type: Type): Scheme => ({variables: [], constraints: [], type})
 
-/// Runs the inference of one definition. If a type becomes too large, its problems and constraints are dropped, and the answer is false.
+/// Runs the inference of one definition. If a type becomes too large, all that was found is dropped, and the answer is false.
 export function inferWithinBounds(s: InferenceState, infer: () => void): boolean {
-  const {level, lenient, opaque, scoped, wanted} = s
-  const before = {problems: s.problems.length, wanted: wanted.length}
+  const {found, level, lenient, opaque, schemes, scoped, signed, wanted} = s
+  const before = {
+    found: found.size,
+    holes: s.holes.length,
+    problems: s.problems.length,
+    wanted: wanted.length,
+  }
   try {
     infer()
+    if (found.size > before.found) for (const type of [...found.values()].slice(before.found)) checkSize(type)
     return true
   } catch (e) {
     if (!(e instanceof TypeTooLarge)) throw e
+    for (const node of [...found.keys()].slice(before.found)) found.delete(node)
+    s.holes.length = before.holes
     s.problems.length = before.problems
     wanted.length = before.wanted
-    Object.assign(s, {level, lenient, opaque, scoped, wanted})
+    Object.assign(s, {found, level, lenient, opaque, schemes, scoped, signed, wanted})
     return false
   }
 }

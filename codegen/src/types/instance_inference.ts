@@ -3,19 +3,19 @@
 import type {Declaration, FunctionDeclaration, InstanceDeclaration} from "../model/syntax_tree.ts"
 import {checkAgainstSignature, inferClauses, inferRightHandSide, rigidVariables} from "./binding_inference.ts"
 import {reduceConstraints} from "./class_constraints.ts"
-import {instanceHead} from "./declaration_scanner.ts"
-import {expand} from "./environment.ts"
+import {instanceHead} from "./environment/declaration_scanner.ts"
+import {expand} from "./environment/environment.ts"
+import {isKnownClass} from "./environment/kinds.ts"
+import {library} from "./environment/standard_library.ts"
+import {builtInHeads} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, unknownType} from "./inference_state.ts"
-import {isKnownClass} from "./kinds.ts"
 import {inferPattern} from "./pattern_inference.ts"
-import type {Scope} from "./scope.ts"
-import {library} from "./standard_library.ts"
-import type {Scheme, Type} from "./type.ts"
-import {app, showType, spine, substitute, variablesIn} from "./type.ts"
-import {readSignature, unifyAt} from "./type_lookup.ts"
-import type {Wanted} from "./type_problems.ts"
-import {builtInHeads} from "./unification.ts"
+import type {Scope} from "./syntax/scope.ts"
+import type {Scheme, Type} from "./syntax/type.ts"
+import {app, showType, spine, substitute, variablesIn} from "./syntax/type.ts"
+import type {Wanted} from "./syntax/type_problems.ts"
+import {readDefinitionSignature, unifyAt} from "./type_lookup.ts"
 
 type InstanceHead = NonNullable<ReturnType<typeof instanceHead>>
 
@@ -56,7 +56,8 @@ function checkMethod(
   {instance}: InstanceHead,
   outer: Scope,
 ): void {
-  const own = d.signature === undefined ? undefined : readSignature(s, d.signature.text, d.signature)
+  const own =
+    d.signature === undefined ? undefined : readDefinitionSignature(s, d.signature.text, d.signature)
   if (own === undefined || d.signature === undefined) {
     checkAgainstSignature(s, d, type, outer, variablesIn(instance.type))
     return

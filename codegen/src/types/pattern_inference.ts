@@ -6,9 +6,9 @@ import type {Pattern} from "../model/syntax_tree.ts"
 import {unreachable} from "../model/syntax_tree.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, mono, recordWatched, unknownType} from "./inference_state.ts"
-import type {Scope} from "./scope.ts"
-import type {Type} from "./type.ts"
-import {con, fun, listOf, string, tupleOf} from "./type.ts"
+import type {Scope} from "./syntax/scope.ts"
+import type {Type} from "./syntax/type.ts"
+import {con, fun, listOf, string, tupleOf} from "./syntax/type.ts"
 import {isPossiblyImported, openConstructor, readSignature, requireClass, unifyAt} from "./type_lookup.ts"
 
 /// A name may stand only once among the patterns that are matched together. (Haskell 2010 report §3.17.1)

@@ -3,10 +3,10 @@
 import {namesDefinedBy} from "../model/bound_names.ts"
 import {causeOf} from "../model/raw_reasons.ts"
 import type {Declaration, RawDeclaration} from "../model/syntax_tree.ts"
-import {localNames, signatureIn} from "./declaration_scanner.ts"
-import {unknown} from "./environment.ts"
+import {localNames, signatureIn} from "./environment/declaration_scanner.ts"
+import {unknown} from "./environment/environment.ts"
 import type {InferenceState} from "./inference_state.ts"
-import type {Scope} from "./scope.ts"
+import type {Scope} from "./syntax/scope.ts"
 
 /// A signature that stands apart from its equations, as in `a, b :: Int`.
 export interface WrittenSignature {

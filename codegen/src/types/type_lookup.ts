@@ -2,28 +2,45 @@
 
 import {unqualified} from "../haskell/lexemes.ts"
 import type {Expr, Node} from "../model/syntax_tree.ts"
-import {expand} from "./environment.ts"
+import {expand} from "./environment/environment.ts"
+import {isKnownClass, misappliedType, typeNamesIn} from "./environment/kinds.ts"
+import {unify} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, inferWithinBounds, unknownType} from "./inference_state.ts"
-import {isKnownClass, misappliedType, typeNamesIn} from "./kinds.ts"
-import {Scope} from "./scope.ts"
-import type {Scheme, Type} from "./type.ts"
-import {asFunction, con, funs, listOf, substitute, tupleOf} from "./type.ts"
+import {Scope} from "./syntax/scope.ts"
+import type {Scheme, Type} from "./syntax/type.ts"
+import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./syntax/type.ts"
 import {
+  apartFromForall,
   isBeyondHaskell2010,
   isHigherRank,
   isTooLarge,
   parseScheme,
   withQualifiersApart,
-} from "./type_parser.ts"
-import type {TypeProblem} from "./type_problems.ts"
-import {unify} from "./unification.ts"
+} from "./syntax/type_parser.ts"
+import type {TypeProblem} from "./syntax/type_problems.ts"
 
 /// Names of types and classes without a qualifier.
 const unqualifiedNames = /(?<![\p{L}\p{N}_'.])\p{Lu}[\p{L}\p{N}_']*(?![\p{L}\p{N}_'.])/gu
 
 /// The last parts of names with a qualifier.
 const qualifiedNames = /\p{Lu}[\p{L}\p{N}_'.]*\.(\p{Lu}[\p{L}\p{N}_']*)/gu
+
+/// The signature of a definition, where a `forall` may stand in front.
+export function readDefinitionSignature(s: InferenceState, text: string, node: Node): Scheme | undefined {
+  const {variables, type} = apartFromForall(text)
+  if (variables.length === 0) return readSignature(s, text, node)
+  // Where a `forall` stands, there is often more that inference does not read.
+  if (!isBeyondInference(s, type) && parseScheme(withQualifiersApart(type, s.env.ownTypes)) === undefined)
+    return undefined
+  const {scoped} = s
+  s.scoped = new Map([...scoped].filter(([name]) => !variables.includes(name)))
+  const scheme = readSignature(s, type, node)
+  s.scoped = scoped
+  // A variable beside those of the `forall` has no meaning; GHC says so.
+  if (scheme === undefined || scheme.variables.some(name => !variables.includes(name))) return undefined
+  return {...scheme, scoped: variables}
+}
 
 /// A type with variables of its own inside, or one that is too large: GHC's to judge.
 export function isBeyondInference(s: InferenceState, text: string): boolean {
@@ -41,8 +58,12 @@ export function readSignature(s: InferenceState, text: string, node: Node): Sche
 
 function readScheme(s: InferenceState, text: string, node: Node): Scheme | undefined {
   const scheme = parseScheme(withQualifiersApart(text, s.env.ownTypes))
-  if (scheme === undefined) {
-    if (text.trim() !== "" && !isBeyondHaskell2010(text)) s.problems.push({kind: "bad-signature", node, text})
+  // `Int => Int`: a type is no constraint; what is imported may be a name for one.
+  const isType = (name: string) => s.env.types.get(name)?.foreign === undefined && s.env.types.has(name)
+  if (scheme === undefined || scheme.bare?.some(isType) === true) {
+    const isOwnOperator = [...text.matchAll(/[-=>]+/g)].some(([op]) => s.env.types.has(op))
+    if (text.trim() !== "" && !isBeyondHaskell2010(text) && !isOwnOperator)
+      s.problems.push({kind: "bad-signature", node, text})
     return undefined
   }
   checkTypeNames(s, scheme, text, node)
@@ -101,7 +122,7 @@ export function typeOfName(s: InferenceState, name: string, node: Node, scope: S
     return stray
   }
   if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
-  return unknownType(s)
+  return unknownType(s, name)
 }
 
 /// Whether a name may come from a module whose exports are unknown.
@@ -129,17 +150,24 @@ export function typeOfConstructor(s: InferenceState, name: string, node: Node): 
   const info = s.env.constructors.get(name)
   if (info !== undefined) return instantiate(s, info.scheme, node)
   if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
-  return unknownType(s)
+  return unknownType(s, name)
+}
+
+/// The name that an expression or pattern stands for.
+function nameOf(node: Node): string | undefined {
+  if (node.kind === "infix" || node.kind === "section") return node.op
+  return "name" in node ? node.name : undefined
 }
 
 export function instantiate(s: InferenceState, scheme: Scheme, node: Node): Type {
-  if (scheme.unknown === true) return unknownType(s)
+  const name = nameOf(node)
+  if (scheme.unknown === true) return unknownType(s, name)
   if (scheme.variables.length === 0) {
     for (const c of scheme.constraints) requireClass(s, c.name, c.type, node)
     return expand(scheme.type, s.env)
   }
   const isOpen = (v: string) => scheme.open?.includes(v) === true
-  const by = new Map(scheme.variables.map(v => [v, isOpen(v) ? unknownType(s) : freshMeta(s)] as const))
+  const by = new Map(scheme.variables.map(v => [v, isOpen(v) ? unknownType(s, name) : freshMeta(s)] as const))
   for (const c of scheme.constraints) requireClass(s, c.name, substitute(c.type, by), node)
   return expand(substitute(scheme.type, by), s.env)
 }
@@ -149,7 +177,10 @@ export function requireClass(s: InferenceState, name: string, type: Type, node: 
 }
 
 export function unifyAt(s: InferenceState, wanted: Type, found: Type, node: Node): void {
-  if (unify(wanted, found) !== undefined) s.problems.push({kind: "mismatch", node, wanted, found})
+  const clash = unify(wanted, found)
+  if (clash === undefined) return
+  const isOfVariable = [clash.left, clash.right].some(t => prune(t).kind === "var")
+  s.problems.push({kind: "mismatch", node, wanted, found, isOfVariable})
 }
 
 export function openConstructor(

@@ -9,10 +9,11 @@ import {blockView} from "../blocks/block_registry.ts"
 import {printDeclarationAlone} from "../haskell/printer.ts"
 import {freeInDeclaration, usesInExpr, usesInProgram} from "../model/name_resolution.ts"
 import type {Declaration} from "../model/syntax_tree.ts"
+import {uniqueName} from "../model/unique_name.ts"
 import type {BlockId, Extra, SavedBlock, SavedInput, SavedWorkspace} from "../serialized_blocks.ts"
-import {find} from "./block_moves.ts"
-import {generated} from "./library_definitions.generated.ts"
-import {everyBlock, infer} from "./workspace_inference.ts"
+import {everyBlock, infer} from "./inference/workspace_inference.ts"
+import {find} from "./moves/block_moves.ts"
+import {generated} from "./toolbox/library_definitions.generated.ts"
 
 export interface LibraryDefinition {
   readonly name: string
@@ -103,7 +104,7 @@ function missing(name: string, program: readonly Declaration[]): SavedBlock[] {
     const block = definitions.get(one)
     if (there === undefined || block === undefined) return true
     if (printed(there) === declarationsOf(block).map(printed).join("\n")) return false
-    renamed.set(one, freshName(one, new Set([...own.keys(), ...names])))
+    renamed.set(one, uniqueName(one, new Set([...own.keys(), ...names])))
     return true
   })
   return wanted.flatMap(one => {
@@ -131,10 +132,6 @@ function declarationsOf(block: SavedBlock): readonly Declaration[] {
 
 function printed(declaration: Declaration): string {
   return printDeclarationAlone({...declaration, comment: undefined})
-}
-
-function freshName(name: string, taken: ReadonlySet<string>): string {
-  for (let n = 2; ; n++) if (!taken.has(`${name}${n}`)) return `${name}${n}`
 }
 
 function withNames(block: SavedBlock, renamed: ReadonlyMap<string, string>): SavedBlock {

@@ -6,8 +6,9 @@ import {blockView} from "../blocks/block_registry.ts"
 import {nameOf} from "../model/bound_names.ts"
 import type {SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
 import {hashOf, splitDeclarations} from "../source/declaration_splitter.ts"
+import {withoutMark} from "../source/text_file.ts"
 import {words} from "../words/index.ts"
-import {toHaskell} from "./code_generation.ts"
+import {toHaskell} from "./inference/code_generation.ts"
 
 /// The version of the format that this program writes, and the newest it reads.
 const version = 1
@@ -16,7 +17,7 @@ const version = 1
 export function parseProject(text: string): ProjectOutcome {
   let json: unknown
   try {
-    json = JSON.parse(text)
+    json = JSON.parse(withoutMark(text))
   } catch {
     return bad(words.projects.thisFileIsNotAWholeRosy, words.projects.itMayHaveBeenCutOffOpen)
   }

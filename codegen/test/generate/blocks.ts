@@ -1,9 +1,9 @@
 /// Blocks with ids, and what a program that is being made may use by name.
 
 import type {BlockId, Extra, SavedBlock} from "../../src/index.ts"
-import {library} from "../../src/types/standard_library.ts"
-import type {Type} from "../../src/types/type.ts"
-import {asFunction, spine} from "../../src/types/type.ts"
+import {library} from "../../src/types/environment/standard_library.ts"
+import type {Type} from "../../src/types/syntax/type.ts"
+import {asFunction, spine} from "../../src/types/syntax/type.ts"
 import type {Dice} from "./random.ts"
 
 /// Types of functions in a `where` or `let`, as an author who knows types writes them there.

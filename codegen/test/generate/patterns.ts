@@ -1,9 +1,9 @@
 /// Patterns that may go into a socket of some type.
 
-import {choices} from "../../src/blocks/constructor_labels.ts"
+import {choices} from "../../src/blocks/spec/constructor_labels.ts"
 import type {SavedBlock} from "../../src/index.ts"
-import type {Type} from "../../src/types/type.ts"
-import {spine} from "../../src/types/type.ts"
+import type {Type} from "../../src/types/syntax/type.ts"
+import {spine} from "../../src/types/syntax/type.ts"
 import type {Maker, WithOrigin} from "./blocks.ts"
 import {libraryConstructors} from "./blocks.ts"
 

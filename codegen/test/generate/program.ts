@@ -4,11 +4,11 @@
 
 import type {BlockId, Place, SavedBlock, SavedWorkspace} from "../../src/index.ts"
 import {blockView, checker, newWorkspace, plug} from "../../src/index.ts"
-import {metasIn, variablesIn} from "../../src/types/type.ts"
-import {parseType} from "../../src/types/type_parser.ts"
-import {find, without} from "../../src/workspace/block_moves.ts"
-import {InferenceSession} from "../../src/workspace/inference_session.ts"
-import {everyBlock, everyBlockIn, problemsOf} from "../../src/workspace/workspace_inference.ts"
+import {metasIn, variablesIn} from "../../src/types/syntax/type.ts"
+import {parseType} from "../../src/types/syntax/type_parser.ts"
+import {InferenceSession} from "../../src/workspace/inference/inference_session.ts"
+import {everyBlock, everyBlockIn, problemsOf} from "../../src/workspace/inference/workspace_inference.ts"
+import {find, without} from "../../src/workspace/moves/block_moves.ts"
 import {Maker} from "./blocks.ts"
 import {proposePattern} from "./patterns.ts"
 import {Dice} from "./random.ts"
@@ -203,7 +203,9 @@ class Generator {
   }
 
   private look(at: Empty) {
-    const {inference} = this.session.inferWorkspace(this.workspace, {block: at.block, input: at.input})
+    const {inference} = this.session.inferWorkspace(this.workspace, {
+      watch: {block: at.block, input: at.input},
+    })
     const known = (inference.watched?.all() ?? []).flatMap(([name, scheme]): Known[] =>
       name === "main" ? [] : [{name, type: scheme.type}],
     )

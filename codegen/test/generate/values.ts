@@ -1,9 +1,17 @@
 /// Blocks that may go into a socket of some type: likely ones, and now and then any at all.
 
-import {choices} from "../../src/blocks/constructor_labels.ts"
+import {choices} from "../../src/blocks/spec/constructor_labels.ts"
 import type {Extra, SavedBlock} from "../../src/index.ts"
-import type {Type} from "../../src/types/type.ts"
-import {asFunction, con, prune, showType, spine, substitute, variablesIn} from "../../src/types/type.ts"
+import type {Type} from "../../src/types/syntax/type.ts"
+import {
+  asFunction,
+  con,
+  prune,
+  showType,
+  spine,
+  substitute,
+  variablesIn,
+} from "../../src/types/syntax/type.ts"
 import type {Maker, WithOrigin} from "./blocks.ts"
 import {everyName, libraryConstructors, makersOf} from "./blocks.ts"
 

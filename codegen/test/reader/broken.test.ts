@@ -3,7 +3,7 @@
 import {beforeAll, describe, expect, test} from "vitest"
 import type {Reader} from "../../src/reader/index.ts"
 import {causeOf, openView, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
-import {everyBlock, infer} from "../../src/workspace/workspace_inference.ts"
+import {everyBlock, infer} from "../../src/workspace/inference/workspace_inference.ts"
 import {disagreements} from "./agreement.ts"
 import {testReader} from "./open.ts"
 

@@ -6,7 +6,6 @@ import {beforeAll, describe, expect, test} from "vitest"
 import {closeProject, newProject} from "../../src/index.ts"
 import type {Reader} from "../../src/reader/index.ts"
 import {contradictionNotice, layoutOf, openView, workspaceOf} from "../../src/reader/index.ts"
-import {rotated} from "../extent.ts"
 import {breathe} from "../process.ts"
 import {corpus, testReader} from "./open.ts"
 
@@ -46,8 +45,8 @@ describe("blocks that contradict their text", () => {
 })
 
 describe("blocks that agree with their text", () => {
-  test("are kept in a share of the corpus", async () => {
-    for (const {name, text: source} of rotated(corpus, 4)) {
+  test("are kept in the corpus", async () => {
+    for (const {name, text: source} of corpus) {
       const view = openView(reader, source)
       const again = openView(reader, source, layoutOf(view))
       expect([name, again.contradicted]).toEqual([name, undefined])

@@ -3,7 +3,7 @@
 import {beforeAll, describe, expect, test} from "vitest"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {layoutOf, openView, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
-import {without} from "../../src/workspace/block_moves.ts"
+import {without} from "../../src/workspace/moves/block_moves.ts"
 import {everyBlock} from "./agreement.ts"
 import {testReader} from "./open.ts"
 

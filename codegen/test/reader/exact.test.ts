@@ -4,6 +4,7 @@ import {beforeAll, expect, test} from "vitest"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock} from "../../src/serialized_blocks.ts"
+import {infix, num, ref} from "../../src/workspace/toolbox/block_builders.ts"
 import {everyBlock} from "./agreement.ts"
 import {testReader} from "./open.ts"
 
@@ -35,6 +36,55 @@ test.each([
   ["a main without a type", "main  =  simulate (go 1)\n"],
 ])("a number keeps %s", (_, text) => {
   expect(changed(text, blocks => setNumber(blocks, "1", "42"))).toBe(text.replace("1", "42"))
+})
+
+/// Compares values of the type `T` for the first time, in `same`.
+function compares(blocks: readonly SavedBlock[]): void {
+  const same = blocks.find(b => b.type === "number")
+  if (same === undefined) throw new Error("expected a number")
+  Object.assign(same, infix("==", ref("a"), ref("b")))
+}
+
+test.each([
+  ["on one line", "data T = A | B", "data T = A | B deriving (Eq)"],
+  ["over lines", "data T\n  = A -- first\n  | B", "data T\n  = A -- first\n  | B\n  deriving (Eq)"],
+  [
+    "over lines with a comment behind",
+    "data T = A\n       | B -- b",
+    "data T = A\n       | B deriving (Eq) -- b",
+  ],
+  ["with a comment behind", "data T  = A  | B -- b", "data T  = A  | B deriving (Eq) -- b"],
+  ["with classes", "data T =  A | B\n  deriving ( Show )", "data T =  A | B\n  deriving ( Show , Eq)"],
+  ["with one class", "data T =  A | B  deriving Show", "data T =  A | B  deriving (Show, Eq)"],
+])("a class that an edit needs is added to a type %s", (_, type, derived) => {
+  const rest = "\n\nsame :: T -> T -> Bool\nsame a b = "
+  const text = `${type}${rest}1\n`
+  expect(changed(text, compares)).toBe(`${derived}${rest}a == b\n`)
+})
+
+test("what has to stand in brackets in its new place leaves the rest of the definition as it is", () => {
+  const text =
+    "bind :: Monad m => m a   -> (a -> m b) -> m b\nbind x f   = Tagged $ un x >>= \\y -> f y -- tail\n"
+  const after = changed(text, blocks => {
+    const call = blocks.find(b => b.type === "infix" && b.extraState?.op === "$")
+    if (call?.inputs === undefined) throw new Error("expected $")
+    const {L, R} = call.inputs
+    call.inputs = {...(R && {L: R}), ...(L && {R: L})}
+  })
+  expect(after).toBe(
+    "bind :: Monad m => m a   -> (a -> m b) -> m b\nbind x f   = un x >>= (\\y -> f y) $ Tagged -- tail\n",
+  )
+})
+
+test("a field that stood for the variable of its name gets its own value, and the others stay", () => {
+  const text = "{-# LANGUAGE NamedFieldPuns #-}\nf x y = R\n  { x\n  , y -- why\n  }\n"
+  const replaced = changed(text, blocks => {
+    const record = blocks.find(b => Array.isArray(b.extraState?.puns))
+    const socket = Object.values(record?.inputs ?? {})[0]
+    if (socket?.block === undefined) throw new Error("expected a field")
+    socket.block = {...num("7"), id: "seven"}
+  })
+  expect(replaced).toBe(text.replace("{ x\n", "{ x = 7\n"))
 })
 
 test("items below the place of an edit keep their column", () => {
@@ -139,6 +189,21 @@ test("steps behind $ keep their layout and comments when they are wrapped", () =
   const text = "main = simulate $ do -- here\n   d  <- measure\n   say d\n"
   expect(changed(text, blocks => wrap(blocks, b => b.type === "do"))).toBe(
     "main = simulate ((do -- here\n   d  <- measure\n   say d)\n                   * 7)\n",
+  )
+})
+
+test("steps behind $ that are wrapped stay behind it where the call does", () => {
+  const text = "fresh :: Int   -> T\nfresh x   = Supply $ do -- here\n    n <- get\n    put n\n"
+  expect(changed(text, blocks => wrap(blocks, b => b.type === "do"))).toBe(
+    [
+      "fresh :: Int   -> T",
+      "fresh x   = Supply $",
+      "              (do -- here",
+      "                  n <- get",
+      "                  put n)",
+      "                * 7",
+      "",
+    ].join("\n"),
   )
 })
 

@@ -124,6 +124,10 @@ export interface Outcome {
   /// Definitions for which a node around the changed one was written, and those that were printed as a whole.
   readonly larger: number
   readonly printed: number
+  /// The edit was taken back: the text cannot say it.
+  readonly isRefused: boolean
+  /// The old blocks bring back the old text.
+  readonly isPutBack: boolean
   /// The whole program is read as the workspace says it.
   readonly agrees: boolean
   /// What changed elsewhere than in the edited nodes and the separators beside them.
@@ -159,6 +163,8 @@ export function outcomeOf(reader: Reader, view: View, edit: Edited): Outcome {
     before,
     after: after.text,
     places,
+    isRefused: after.refused !== undefined,
+    isPutBack: syncBlocks(reader, after, structuredClone(workspaceOf(view))).text === before,
     larger: counted.larger - larger,
     printed: counted.printed - printed,
     changed: changedCharacters(before, after.text),

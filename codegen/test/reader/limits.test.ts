@@ -6,11 +6,10 @@ import {everyNode} from "../../src/model/child_nodes.ts"
 import type {Reader, View} from "../../src/reader/index.ts"
 import {layoutOf, openView, reasons, syncBlocks, syncText, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
-import {toHaskell} from "../../src/workspace/code_generation.ts"
+import {toHaskell} from "../../src/workspace/inference/code_generation.ts"
+import {everyBlock, infer} from "../../src/workspace/inference/workspace_inference.ts"
 import {newProject, parseProject, saveProject} from "../../src/workspace/project_file.ts"
-import {rename} from "../../src/workspace/renaming.ts"
-import {everyBlock, infer} from "../../src/workspace/workspace_inference.ts"
-import {hasTurn} from "../extent.ts"
+import {rename} from "../../src/workspace/renaming/renaming.ts"
 import {breathe} from "../process.ts"
 import {testReader} from "./open.ts"
 
@@ -24,10 +23,6 @@ afterEach(breathe)
 const main = "\n\nmain = simulate f\n"
 const many = (count: number, part: (i: number) => string, between: string) =>
   Array.from({length: count}, (_, i) => part(i)).join(between)
-
-/// The size of a program of a table: each kind is tested daily, every fourth of them at its full size,
-/// the others with 100 parts, which is more than are drawn.
-const sizeToday = (row: number, full: number) => (hasTurn(row, 4) ? full : 100)
 
 /// Every value of a program as it is printed: numbers, names, constructors.
 const values = (text: string) => text.match(/[\p{L}_][\p{L}\p{N}_']*|\d[\d.]*/gu) ?? []
@@ -65,6 +60,86 @@ const firstNumber = (block: SavedBlock): boolean => {
   return true
 }
 
+describe("brackets and layout blocks that are nested too deep are not parsed", () => {
+  const nested: readonly (readonly [
+    what: string,
+    open: string,
+    close: string,
+    around: (text: string) => string,
+  ])[] = [
+    ["in an expression", "(1 + ", ")", text => `f = ${text}`],
+    ["in lists", "[", "]", text => `f = ${text}`],
+    ["over lines", "(\n  ", "\n  )", text => `f =\n  ${text}`],
+    ["of steps", "(do ", ")", text => `f = ${text}`],
+    ["in a pattern", "(Just ", ")", text => `f ${text} = 7`],
+    ["in records", "R {a = ", "}", text => `f = ${text}`],
+    ["that never close", "(g (", "", text => `f = ${text}`],
+    ["in a type of data", "(Maybe ", ")", text => `data T = T ${text}`],
+    ["with no bracket but alternatives", "case 1 of x -> ", "", text => `f = ${text}`],
+    ["with no bracket but steps", "do ", "", text => `f = ${text}`],
+  ]
+
+  it.each(nested)("%s", (_, open, close, around) => {
+    let parses = 0
+    const counted = Object.create(reader, {
+      parse: {
+        value: (...given: unknown[]) => {
+          parses += 1
+          return (reader as unknown as {parse: (...given: unknown[]) => unknown}).parse(...given)
+        },
+      },
+    }) as Reader
+    const text = `${around(`${open.repeat(2000)}7${close.repeat(2000)}`)}\n`
+    const view = openView(counted, text)
+    expect(view.text).toBe(text)
+    const [definition] = view.module.pieces
+    expect(definition?.declaration).toMatchObject({kind: "raw-declaration", reason: reasons.deep})
+    expect(parses).toBe(0)
+  })
+
+  it("but those in texts do not count", () => {
+    const [definition] = openView(reader, `f = Say "${"(".repeat(2000)}" -- ${"[".repeat(2000)}\n`).module
+      .pieces
+    expect(definition?.declaration?.kind).toBe("function")
+  })
+})
+
+describe("what is nested up to the limit of the grammar and deeper is never called wrong", () => {
+  const nested: readonly (readonly [what: string, open: string, close: string, perLevel: number])[] = [
+    ["brackets", "(", ")", 1],
+    ["lists", "[", "]", 1],
+    ["steps", "do ", "", 1],
+    ["steps in brackets", "(do ", ")", 2],
+    ["steps in braces", "do { ", "}", 1],
+    ["alternatives", "case 1 of x -> ", "", 1],
+    ["alternatives in brackets", "(case 1 of x -> ", ")", 2],
+    ["alternatives with steps", "case 1 of x -> do ", "", 2],
+    ["functions of alternatives", "\\case x -> ", "", 1],
+    ["conditions", "if | x -> ", "", 1],
+    ["definitions in definitions", "let a = ", " in a", 1],
+    ["definitions behind definitions", "(let a = 1 in ", ")", 1],
+    ["definitions below definitions", "x where {a = ", "}", 1],
+  ]
+  const text = (open: string, close: string, depth: number) =>
+    `f = ${open.repeat(depth)}7${close.repeat(depth)}\n`
+  it.each(nested)("%s", (_, open, close, perLevel) => {
+    for (const contexts of [100, 120, 121, 122, 124, 126, 128, 150, 200, 280]) {
+      const [piece] = reader.read(text(open, close, Math.ceil(contexts / perLevel))).pieces
+      expect([contexts, piece?.broken]).toEqual([contexts, false])
+    }
+  })
+  it.each(nested)("but what is wrong in less is called so: %s", (_, open, close) => {
+    const wrong = text(open, close, 20).replace("7", "7 = =")
+    expect(reader.read(wrong).pieces[0]?.broken).toBe(true)
+  })
+  it("many blocks that do not stand in one another are not deep", () => {
+    const steps = many(300, i => `  forM_ x (\\y -> do\n    when y $ do\n      z ${i})`, "\n")
+    expect(reader.read(`f = do\n${steps}\n  = =\n`).pieces[0]?.broken).toBe(true)
+    const cases = many(300, i => `  ${i} -> case y of\n    0 -> do\n      z`, "\n")
+    expect(reader.read(`f x = case x of\n${cases}\n  = =\n`).pieces[0]?.broken).toBe(true)
+  })
+})
+
 describe("up to 10,000 of a kind", () => {
   const long: readonly (readonly [what: string, text: (count: number) => string])[] = [
     ["equations", count => `${many(count, i => `f ${i} = ${i === 0 ? 7 : 1}`, "\n")}`],
@@ -79,30 +154,29 @@ describe("up to 10,000 of a kind", () => {
     ["steps", count => `f = do\n${many(count, i => `  w ${i === 0 ? 7 : 1}`, "\n")}`],
     ["local definitions", count => `f = 7\n  where\n${many(count, i => `    a${i} = 1`, "\n")}`],
   ]
-  const today = long.map(([what, text], row) => {
-    const count = sizeToday(row, 10_000)
-    return [count, what, text(count)] as const
-  })
-  it.each(today)("%d %s: reading, editing one and printing loses nothing", (_, __, text) => {
-    const view = openView(reader, text + main)
-    drawable(workspaceOf(view))
-    const again = saved(view)
-    expect(again.text).toBe(text + main)
-    const [definition] = view.module.pieces
-    if (definition?.declaration?.kind !== "raw-declaration") {
-      const after = syncBlocks(reader, again, edited(again, firstNumber))
-      expect(values(after.text).filter(v => v !== "f")).toEqual(
-        values((text + main).replace(/\b7\b/, "8")).filter(v => v !== "f"),
-      )
-      drawable(workspaceOf(after))
-    }
-  })
+  it.each(long.map(([what, text]) => [10_000, what, text(10_000)] as const))(
+    "%d %s: reading, editing one and printing loses nothing",
+    (_, __, text) => {
+      const view = openView(reader, text + main)
+      drawable(workspaceOf(view))
+      const again = saved(view)
+      expect(again.text).toBe(text + main)
+      const [definition] = view.module.pieces
+      if (definition?.declaration?.kind !== "raw-declaration") {
+        const after = syncBlocks(reader, again, edited(again, firstNumber))
+        expect(values(after.text).filter(v => v !== "f")).toEqual(
+          values((text + main).replace(/\b7\b/, "8")).filter(v => v !== "f"),
+        )
+        drawable(workspaceOf(after))
+      }
+    },
+  )
 
   it("constructors and fields", () => {
     const types = [
-      `data T = ${many(sizeToday(0, 4000), i => `C${i}`, " | ")}`,
-      `data T = C ${many(sizeToday(1, 10_000), () => "I", " ")}`,
-      `data T = C {${many(sizeToday(2, 2000), i => `f${i} :: I`, ", ")}}`,
+      `data T = ${many(4000, i => `C${i}`, " | ")}`,
+      `data T = C ${many(10_000, () => "I", " ")}`,
+      `data T = C {${many(2000, i => `f${i} :: I`, ", ")}}`,
     ]
     for (const type of types) {
       const view = saved(openView(reader, type + main))
@@ -192,43 +266,42 @@ describe("deep programs", () => {
     [2000, "parentheses of a type", depth => `f :: ${"(".repeat(depth)}Int${")".repeat(depth)}\nf = 1`],
     [2000, "arrows of a type", depth => `f :: ${many(depth, () => "Int", " -> ")}\nf = 1`],
   ]
-  const today = deep.map(([full, what, text], row) => {
-    const depth = sizeToday(row, full)
-    return [depth, what, text(depth)] as const
-  })
-  it.each(today)("%d %s are read, inferred, saved, opened and edited", (_, __, text) => {
-    const view = openView(reader, text + main)
-    const workspace = workspaceOf(view)
-    drawable(workspace)
-    expect(infer(workspace).definitions.size).toBeGreaterThan(0)
-    const again = saved(view)
-    expect(again.text).toBe(text + main)
-    const [definition] = again.module.pieces
-    expect(
-      [...everyNode(definition?.declaration ?? {kind: "raw-declaration", text: ""})].length,
-    ).toBeGreaterThan(0)
-    // Brackets nested deeper than the grammar reads: the whole definition is text.
-    if (definition?.declaration?.kind === "raw-declaration") {
-      expect(definition.declaration.reason).toBe(reasons.deep)
-      expect(definition.declaration.text).toBe(text)
-      return
-    }
-    // A new name prints the whole definition.
-    const renamed = syncBlocks(
-      reader,
-      again,
-      edited(again, b => {
-        if (b.type !== "define") return false
-        b.extraState = {...b.extraState, name: "g"}
-        return true
-      }),
-    )
-    const tokens = (t: string) => t.replace(/\bf\b/g, "g").replace(/[\s()]/g, "")
-    expect(tokens(renamed.text.split("main")[0] ?? "")).toBe(tokens(text))
-    // Printing again changes nothing.
-    const twice = openView(reader, renamed.text)
-    drawable(workspaceOf(twice))
-  })
+  it.each(deep.map(([depth, what, text]) => [depth, what, text(depth)] as const))(
+    "%d %s are read, inferred, saved, opened and edited",
+    (_, __, text) => {
+      const view = openView(reader, text + main)
+      const workspace = workspaceOf(view)
+      drawable(workspace)
+      expect(infer(workspace).definitions.size).toBeGreaterThan(0)
+      const again = saved(view)
+      expect(again.text).toBe(text + main)
+      const [definition] = again.module.pieces
+      expect(
+        [...everyNode(definition?.declaration ?? {kind: "raw-declaration", text: ""})].length,
+      ).toBeGreaterThan(0)
+      // Brackets nested deeper than the grammar reads: the whole definition is text.
+      if (definition?.declaration?.kind === "raw-declaration") {
+        expect(definition.declaration.reason).toBe(reasons.deep)
+        expect(definition.declaration.text).toBe(text)
+        return
+      }
+      // A new name prints the whole definition.
+      const renamed = syncBlocks(
+        reader,
+        again,
+        edited(again, b => {
+          if (b.type !== "define") return false
+          b.extraState = {...b.extraState, name: "g"}
+          return true
+        }),
+      )
+      const tokens = (t: string) => t.replace(/\bf\b/g, "g").replace(/[\s()]/g, "")
+      expect(tokens(renamed.text.split("main")[0] ?? "")).toBe(tokens(text))
+      // Printing again changes nothing.
+      const twice = openView(reader, renamed.text)
+      drawable(workspaceOf(twice))
+    },
+  )
 })
 
 describe("damaged layouts", () => {

@@ -4,7 +4,7 @@ import {beforeAll, describe, expect, test} from "vitest"
 import type {Reader} from "../../src/reader/index.ts"
 import {openView, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock} from "../../src/serialized_blocks.ts"
-import {everyBlockIn} from "../../src/workspace/workspace_inference.ts"
+import {everyBlockIn} from "../../src/workspace/inference/workspace_inference.ts"
 import {testReader} from "./open.ts"
 
 let reader: Reader

@@ -5,7 +5,7 @@ import {printDeclarationAlone} from "../../src/haskell/printer.ts"
 import type {Declaration, Expr} from "../../src/model/syntax_tree.ts"
 import type {Reader} from "../../src/reader/index.ts"
 import {formatted, openView, reasons, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
-import {everyBlockIn} from "../../src/workspace/workspace_inference.ts"
+import {everyBlockIn} from "../../src/workspace/inference/workspace_inference.ts"
 import {testReader} from "./open.ts"
 
 let reader: Reader

@@ -4,7 +4,7 @@ import type {Item} from "../../src/block_shape.ts"
 import {blockView} from "../../src/blocks/block_registry.ts"
 import {plug, toolbox} from "../../src/index.ts"
 import type {Place, SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
-import {without} from "../../src/workspace/block_moves.ts"
+import {without} from "../../src/workspace/moves/block_moves.ts"
 import type {Dice} from "../generate/random.ts"
 import {everyBlock} from "./agreement.ts"
 

@@ -11,7 +11,7 @@ import {corpus, testReader} from "./open.ts"
 import {editPage, pageEdits} from "./page_edits.ts"
 
 // The same walks every time; `PAGE_WALKS=500 PAGE_SEED=1000 npx vitest run test/reader/page_walk.test.ts` takes others.
-const walks = Number(process.env.PAGE_WALKS ?? cases(40))
+const walks = Number(process.env.PAGE_WALKS ?? cases(4))
 const first = Number(process.env.PAGE_SEED ?? 1)
 const steps = 30
 const programs = corpus.filter(({text}) => text.split("\n").length < 60)

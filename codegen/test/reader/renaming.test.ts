@@ -6,7 +6,7 @@ import type {Reader} from "../../src/reader/index.ts"
 import {openView, placesToRename, renameContext, syncBlocks, workspaceOf} from "../../src/reader/index.ts"
 import type {SavedBlock} from "../../src/serialized_blocks.ts"
 import {words} from "../../src/words/index.ts"
-import {everyBlock} from "../../src/workspace/workspace_inference.ts"
+import {everyBlock} from "../../src/workspace/inference/workspace_inference.ts"
 import {testReader} from "./open.ts"
 
 let reader: Reader

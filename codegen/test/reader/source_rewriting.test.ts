@@ -3,7 +3,7 @@
 import {describe, expect, it} from "vitest"
 import {grammarVariants} from "../../src/reader/module/source_rewriting.ts"
 
-const variants = (source: string) => grammarVariants(source, []).map(v => v.text)
+const variants = (source: string) => grammarVariants(source, [], new Set()).map(v => v.text)
 
 describe("replacements for the grammar", () => {
   const cases: readonly (readonly [what: string, source: string, variants: readonly string[]])[] = [
@@ -13,6 +13,7 @@ describe("replacements for the grammar", () => {
     ["an operator that looks like a splice", "f = g $(h 1)", ["f = g +(h 1)"]],
     ["a negative number in brackets", "f = g (-1)", ["f = g (00)"]],
     ["a negated name in a list", "f = [-x]", ["f = [aa]"]],
+    ["the first of negative numbers up to another one", "f = [-1..2]", ["f = [-1..2]"]],
     ["a negative number with a type", "f = -1 :: Int", ["f = -a :: Int"]],
     ["an escaped character", "f = '\\n'", ["f = 0000"]],
     ["a prime that belongs to a name", "f x' = x'", ["f x' = x'"]],
@@ -28,11 +29,11 @@ describe("replacements for the grammar", () => {
   })
 
   it("turns an operator of dashes into one that is no comment", () => {
-    expect(grammarVariants("a --> b", [{start: 2, end: 5}]).map(v => v.text)).toEqual(["a +++ b"])
+    expect(grammarVariants("a --> b", [{start: 2, end: 5}], new Set()).map(v => v.text)).toEqual(["a +++ b"])
   })
 
   it("maps the offsets behind an expanded tab to those of the source", () => {
-    const [variant] = grammarVariants("f\t= x", [])
+    const [variant] = grammarVariants("f\t= x", [], new Set())
     expect(variant?.text).toBe("f       = x")
     expect([0, 8, 10, 11].map(at => variant?.place(at))).toEqual([0, 2, 4, 5])
   })

@@ -13,8 +13,6 @@ import {
   workspaceOf,
 } from "../../src/reader/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../../src/serialized_blocks.ts"
-import {rotated} from "../extent.ts"
-import {areTakingTurns, dayOf, turns} from "../turns.ts"
 import {corpus, testReader} from "./open.ts"
 
 let reader: Reader
@@ -104,10 +102,7 @@ describe("a call with steps that is no step itself", () => {
   })
 })
 
-// The whole corpus where the code has changed, else a quarter of it a day.
-const today = areTakingTurns(turns, dayOf(process.env)) ? rotated(corpus, 4) : corpus
-
-describe.each(today.map(p => [p.name, p.text] as const))("%s", (_, text) => {
+describe.each(corpus.map(p => [p.name, p.text] as const))("%s", (_, text) => {
   test("as blocks and back is the same text, and the layout opens as it was", () => {
     const view = openView(reader, text)
     expect(syncBlocks(reader, view, workspaceOf(view)).text).toBe(text)
@@ -133,7 +128,7 @@ describe.each(today.map(p => [p.name, p.text] as const))("%s", (_, text) => {
 })
 
 // One edit of each definition; random edits are in `edit_law.test.ts`.
-describe.each(today.map(p => [p.name, p.text] as const))("%s", (_, text) => {
+describe.each(corpus.map(p => [p.name, p.text] as const))("%s", (_, text) => {
   test("an edit of one definition leaves every other character", () => {
     const view = openView(reader, text)
     for (const shown of view.declarations) {

@@ -13,7 +13,7 @@ import {mutate, rareMutations} from "./mutations.ts"
 import {corpus, testReader} from "./open.ts"
 
 // `WALKS=50 npx vitest run test/reader/walk.test.ts` takes more walks.
-const steps = Number(process.env.STEPS ?? cases(5000))
+const steps = Number(process.env.STEPS ?? cases(500))
 const walks = Number(process.env.WALKS ?? 1)
 
 let reader: Reader

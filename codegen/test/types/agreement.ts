@@ -3,9 +3,46 @@
 /// `accepted`: GHC compiles the program, and inference must report nothing. `refused`: GHC refuses it, and inference must report a problem of
 /// that kind. `test/types/agreement.test.ts` asks inference, and GHC where it is installed.
 
-import type {TypeProblem} from "../../src/types/type_problems.ts"
+import type {TypeProblem} from "../../src/types/syntax/type_problems.ts"
 
 export const accepted: {readonly [name: string]: string} = {
+  "a forall in front of a signature": `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+pair :: forall a b. a -> b -> (a, b)
+pair x y = (x, y)
+shown :: forall a . Show a => a -> String
+shown x = show x ++ show (pair x 'c')
+main = putStrLn (shown (fst (pair 1 True)))`,
+  "a local signature about a variable of a forall": `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+twice :: forall a. (a -> a) -> a -> a
+twice f x = once (once x)
+  where
+    once :: a -> a
+    once y = if True then f y else x
+main = print (twice (+ 1) 2)`,
+  "a local signature with a forall of the same variable": `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+both :: forall a. a -> (a, Bool)
+both x = (same x, same True)
+  where
+    same :: forall a. a -> a
+    same y = y
+main = print (both 'x')`,
+  "an annotation about a variable of a forall": `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+parse :: forall a. (Read a, Show a) => a -> String -> String
+parse x t = show (if True then read t :: a else x)
+main = putStrLn (parse (1 :: Int) "2")`,
+  "a constraint without a type behind a forall": `{-# LANGUAGE RankNTypes #-}
+import GHC.Stack (HasCallStack)
+first :: forall a b. HasCallStack => a -> b -> a
+first x _ = x
+main = print (first 1 'x')`,
+  "a constraint without a type": `import GHC.Stack (HasCallStack)
+first :: HasCallStack => a -> b -> a
+first x _ = x
+main = print (first 1 'x')`,
+  "a type with a forall inside": `{-# LANGUAGE RankNTypes #-}
+use :: forall b. (forall a. a -> a) -> b -> (b, Bool)
+use f x = (f x, f True)
+main = print (use id 'x')`,
   "an import without a space before its list": `import Data.Char(toLower)
 main = print (map toLower "AbC")`,
   "the parts of a type of a module that is not read": `import Data.Time (UTCTime(..), getCurrentTime)
@@ -295,6 +332,36 @@ main = putStrLn "hello" >> print (M.lookup "a" names) >> mapM_ putStrLn ["b", "c
 }
 
 export const refused: {readonly [name: string]: readonly [TypeProblem["kind"], string]} = {
+  "a type in place of a constraint": [
+    "bad-signature",
+    `f :: Int => Int
+f x = x
+main = print (f 1)`,
+  ],
+  "a value that a forall does not allow": [
+    "mismatch",
+    `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+same :: forall a. a -> a
+same x = True
+main = print (same 'x')`,
+  ],
+  "a variable of a forall that is another one inside": [
+    "mismatch",
+    `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+same :: forall a. a -> a
+same x = other x
+  where
+    other :: forall b. b -> a
+    other y = y
+main = print (same 'x')`,
+  ],
+  "a class that a forall does not promise": [
+    "too-general",
+    `{-# LANGUAGE RankNTypes, ScopedTypeVariables #-}
+shown :: forall a. a -> String
+shown x = show x
+main = putStrLn (shown 'x')`,
+  ],
   "a type without its argument": [
     "kind",
     `f :: Maybe -> Int

@@ -27,11 +27,11 @@ export function programHtml({text, canBeOpened}: Program, openAddress: string, o
   return `<div class="program">${code}<a class="open" href="${escapeHtml(openAddress)}">${escapeHtml(openWords)}</a></div>\n`
 }
 
-/// Tokens that have a colour (Haskell 2010 report §2). The build is loaded by Node, which cannot import the lexer of codegen.
+/// Tokens that have a colour (Haskell 2010 report §2): fewer kinds than the lexer of codegen tells apart.
 const token =
   /(?<comment>--.*)|(?<string>"(?:[^"\\\n]|\\.)*")|(?<keyword>\b(?:case|class|data|deriving|do|else|if|import|in|instance|let|module|newtype|of|then|type|where)\b)|(?<type>\b[A-Z]\w*)|\b(?<number>\d+(?:\.\d+)?)\b/g
 
-function coloured(text: string): string {
+export function coloured(text: string): string {
   let at = 0
   let html = ""
   for (const match of text.matchAll(token)) {

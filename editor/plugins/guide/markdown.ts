@@ -5,6 +5,7 @@
 
 import {Marked, type Token, type Tokens} from "marked"
 import {guideWords} from "../../src/guide/guide_words.ts"
+import {cardHtml, cardOf, cardText} from "./card_block.ts"
 import {escapeHtml, programHtml, programOf} from "./code_block.ts"
 
 /// A part of a page below a heading, as text, for the search.
@@ -75,6 +76,8 @@ export function convertMarkdown(text: string, resolver: Resolver, table = guideW
         return ""
       },
       code({text: code, lang}) {
+        const card = cardOf(lang ?? "", code)
+        if (card !== null) return cardHtml(card)
         const program = programOf(lang ?? "", code)
         if (program === null)
           return `<pre class="${lang === "says" ? "says" : "terminal"}" tabindex="0"><code>${escapeHtml(code)}</code></pre>\n`
@@ -139,6 +142,8 @@ function plainText(tokens: readonly Token[]): string {
           .map(cell => plainText(cell.tokens))
           .join(" ")
       }
+      const card = token.type === "code" ? cardOf(token.lang ?? "", token.text) : null
+      if (card !== null) return ` ${cardText(card)} `
       if (token.type === "list")
         return (token as Tokens.List).items.map(item => plainText(item.tokens)).join(" ")
       if ("tokens" in token && token.tokens !== undefined)

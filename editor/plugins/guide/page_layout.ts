@@ -1,7 +1,9 @@
 /// HTML of a guide page around its content: top bar with search, contents, links to the pages before and after. Plain HTML that can be read without a script.
 
 import {guideWords} from "../../src/guide/guide_words.ts"
+import {cardsName, posterName} from "./cards_page.ts"
 import {escapeHtml} from "./code_block.ts"
+import {slidesName} from "./slides_page.ts"
 
 /// Addresses of the files that every page loads, from a guide page.
 export interface SharedFiles {
@@ -28,7 +30,11 @@ export interface LinkedPage {
 /// The guide in one language. A page that is not translated is there in English.
 export interface Edition {
   readonly language: string
-  readonly chapters: readonly {readonly title: string; readonly pages: readonly string[]}[]
+  readonly chapters: readonly {
+    readonly title: string
+    readonly folded: boolean
+    readonly pages: readonly string[]
+  }[]
   readonly pages: ReadonlyMap<string, LinkedPage>
   /// The open page in other languages, by tag.
   readonly alternates: ReadonlyMap<string, string>
@@ -79,7 +85,7 @@ ${[...alternates, ...files.styles.map(address => `<link rel="stylesheet" href="$
 ${contents(edition, page.name)}
 </details></nav>
 <main id="content">
-${page.html}
+${arranged(page)}
 <nav class="turn" aria-label="${words.turn}">${link(all[place - 1], "prev", words.before)}${link(all[place + 1], "next", words.next)}</nav>
 </main>
 </div>
@@ -87,6 +93,19 @@ ${page.html}
 </html>
 `
 }
+
+/// Slides, and the pages whose parts stand side by side.
+function arranged({name, html}: LaidOutPage): string {
+  if (name.startsWith(slidesName(""))) return slides(html)
+  return name === cardsName || name === posterName ? `<div class="${name}">${html}</div>` : html
+}
+
+/// Each part between two lines across the page fills the window, or a sheet of paper.
+const slides = (html: string): string =>
+  html
+    .split("<hr>")
+    .map(slide => `<section class="slide">${slide}</section>`)
+    .join("\n")
 
 function contents({language, chapters, pages, alternates}: Edition, open: string): string {
   const item = (name: string) => {
@@ -103,9 +122,11 @@ function contents({language, chapters, pages, alternates}: Edition, open: string
       `<li><a href="${address}?lang=${tag}" lang="${tag}" hreflang="${tag}">${guideWords(tag).readHere}</a></li>`,
   )
   return [
-    ...chapters.map(
-      ({title, pages: names}) => `<p>${escapeHtml(title)}</p>\n<ul>${names.map(item).join("")}</ul>`,
-    ),
+    ...chapters.map(({title, folded, pages: names}) => {
+      const list = `<ul>${names.map(item).join("")}</ul>`
+      if (!folded) return `<p>${escapeHtml(title)}</p>\n${list}`
+      return `<details${names.includes(open) ? " open" : ""}><summary>${escapeHtml(title)}</summary>${list}</details>`
+    }),
     ...(languages.length === 0 ? [] : [`<ul class="languages">${languages.join("")}</ul>`]),
   ].join("\n")
 }

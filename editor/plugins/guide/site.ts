@@ -14,6 +14,8 @@ import {pictureSize} from "./picture_size.ts"
 
 export interface Site {
   readonly chapters: readonly Chapter[]
+  /// The Markdown of a page.
+  textOf(file: string): string
   /// By language. A page that is not translated is found in English.
   readonly searchIndex: ReadonlyMap<string, readonly SearchEntry[]>
   /// Paths of the pictures from the root of the repository.
@@ -37,7 +39,7 @@ const besideGuide = /^rosy:(api-docs\/Rosy\.html|prelude\.html|\?example=\w+|)(?
 const pictureMark = (path: string) => `picture:${path}`
 
 export async function readSite(root: string): Promise<Site> {
-  const chapters = readContents(root)
+  const {chapters, textOf} = readContents(root)
   const english: readonly Source[] = chapters.flatMap(chapter =>
     chapter.pages.map(page => ({...page, language: "en"})),
   )
@@ -51,7 +53,7 @@ export async function readSite(root: string): Promise<Site> {
     ),
   ]
   const byFile = new Map(sources.map(source => [source.file, source]))
-  const texts = new Map(sources.map(({file}) => [file, readFileSync(join(root, file), "utf8")]))
+  const texts = new Map(sources.map(({file}) => [file, textOf(file)]))
   const addresses = await openAddresses([...texts.values()])
   const pictures = new Set<string>()
   /// Links into pages, which are checked when all pages are converted.
@@ -114,7 +116,8 @@ export async function readSite(root: string): Promise<Site> {
   const editionOf = ({name, language}: Source): Edition => ({
     language,
     up: upFrom(language),
-    chapters: chapters.map(({title, translated, pages: inside}) => ({
+    chapters: chapters.map(({title, translated, folded = false, pages: inside}) => ({
+      folded,
       title: translated?.[language] ?? title,
       pages: inside.map(page => page.name),
     })),
@@ -134,6 +137,7 @@ export async function readSite(root: string): Promise<Site> {
 
   return {
     chapters,
+    textOf,
     searchIndex: new Map(
       ["en", ...languages].map(language => [
         language,

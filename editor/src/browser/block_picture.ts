@@ -1,6 +1,6 @@
 /// Small picture of a program's blocks: their outlines in their colours, without words, as text that the program store keeps.
 
-import {decode, list, number, object, parseJson, string} from "../state/decode.ts"
+import {decode, list, number, object, parseJson, string} from "../wire/decode.ts"
 
 /// An outline of a block in the coordinates of the workspace.
 export interface Outline {

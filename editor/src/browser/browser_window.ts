@@ -1,8 +1,8 @@
 /// Window events and properties: size, colour scheme, visibility, the address, and the keyboard shortcuts that work everywhere.
 
-import type {PageVisibility} from "../state/messages.ts"
 import type {Size} from "../state/page_state.ts"
 import {isChord, type Keys} from "../state/shortcuts.ts"
+import type {Visible} from "../wire/page/session.generated.ts"
 
 /// Widths in CSS pixels at which the page changes: below the first one region at a time, below the second two.
 const phoneBelow = 700
@@ -59,7 +59,7 @@ export function isEmbedded(): boolean {
   return new URLSearchParams(window.location.search).has("embed")
 }
 
-/// Whether the page is shown inside of the teacher's board (`classroom/guest_messages.ts`).
+/// Whether the page is shown inside of the teacher's board (`classroom/messages/guest_messages.ts`).
 export function isBoardGuest(): boolean {
   return new URLSearchParams(window.location.search).get("embed") === "board"
 }
@@ -134,13 +134,13 @@ export function watchVisibility(lost: () => void): void {
   })
 }
 
-export function pageVisibility(): PageVisibility {
+export function pageVisibility(): Visible {
   if (document.visibilityState === "hidden") return "hidden"
   return document.hasFocus() ? "focused" : "visible"
 }
 
 /// Tells each change of the page's visibility.
-export function watchPageVisibility(changed: (now: PageVisibility) => void): void {
+export function watchPageVisibility(changed: (now: Visible) => void): void {
   let before = pageVisibility()
   const look = () => {
     const now = pageVisibility()

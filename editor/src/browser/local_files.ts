@@ -1,5 +1,8 @@
 /// Files on the learner's disk: download, file picker, dropped files.
 
+import {decodeText, type TextFile} from "@rosy/codegen/text-file"
+import type {Notice} from "../state/page_state.ts"
+
 /// Hands a text, or anything else, to the browser as a download.
 export function download(name: string, text: string, type: string): void {
   downloadBlob(name, new Blob([text], {type}))
@@ -30,40 +33,46 @@ export function pickFile(accept: string, picked: (file: File) => void): void {
 /// Bytes of a file that are read: no program is longer, and the rest is not needed to refuse it.
 const mostBytes = 20_000_000
 
-/// The text of a file; `null` for what is not text.
-export async function contentOf(file: File): Promise<string | null> {
+/// The text of a file, a byte order mark included, or why it is no text.
+export async function contentOf(file: File): Promise<TextFile> {
   // Cut off in the middle of a letter it would not be text.
   return file.size > mostBytes
-    ? new TextDecoder().decode(await file.slice(0, mostBytes).arrayBuffer())
-    : textIn(await file.arrayBuffer())
+    ? {kind: "text", text: new TextDecoder().decode(await file.slice(0, mostBytes).arrayBuffer())}
+    : decodeText(new Uint8Array(await file.arrayBuffer()))
 }
 
-/// UTF-8 to the last byte, a byte order mark included, or `null`. What has a NUL was not written as text.
-export function textIn(bytes: ArrayBuffer): string | null {
-  try {
-    const text = new TextDecoder("utf-8", {fatal: true, ignoreBOM: true}).decode(bytes)
-    return text.includes("\0") ? null : text
-  } catch {
-    return null
-  }
+/// What the page reports about a file that is no text.
+export function noticeOf(name: string, file: Exclude<TextFile, {readonly kind: "text"}>): Notice {
+  return {...file, name}
 }
 
-/// A file name that every system takes.
+/// Bytes of a file name in UTF-8 that every file system takes (255), less an ending.
+const mostNameBytes = 240
+
+/// A file name that every system takes. Letters are composed: a letter and its accent are one.
 export function fileName(name: string, extension: string): string {
-  const safe = name.replace(/[^\p{L}\p{N} _-]+/gu, "-").trim()
-  return `${safe === "" ? "program" : safe}.${extension}`
+  const safe = name.normalize("NFC").replace(/[^\p{L}\p{M}\p{N} _-]+/gu, "-")
+  const letters = [...safe.slice(0, mostNameBytes)]
+  while (new TextEncoder().encode(letters.join("")).length > mostNameBytes) letters.pop()
+  const short = letters.join("").trim()
+  return `${short === "" ? "program" : short}.${extension}`
 }
 
-/// Files that are let fall onto the page; what else is dragged over it (blocks, text) is left alone.
-export function watchDrops(dropped: (file: File) => void): void {
+/// Files that are let fall onto the page, one alone or a folder or several together; what else is dragged over it (blocks, text) is left alone.
+export function watchDrops(
+  dropped: (file: File) => void,
+  droppedFolder: (entries: readonly FileSystemEntry[]) => void,
+): void {
   const hasFiles = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true
   window.addEventListener("dragover", event => {
     if (hasFiles(event)) event.preventDefault()
   })
   window.addEventListener("drop", event => {
     const file = event.dataTransfer?.files[0]
-    if (!hasFiles(event) || file === undefined) return
+    if (!hasFiles(event) || event.dataTransfer === null || file === undefined) return
     event.preventDefault()
-    dropped(file)
+    const entries = [...event.dataTransfer.items].flatMap(item => item.webkitGetAsEntry() ?? [])
+    if (entries.length > 1 || entries.some(entry => entry.isDirectory)) droppedFolder(entries)
+    else dropped(file)
   })
 }

@@ -36,17 +36,38 @@ function sheetOf({name, haskell, blocks}: Printed): HTMLElement {
   return sheet
 }
 
-/// All blocks in their own drawing, without the scroll position and the scale of the workspace.
+/// The blocks as a drawing below elements with the classes of the workspace: its style sheets apply there.
 function drawingOf(host: HTMLElement): HTMLElement | null {
+  const drawing = blockDrawing(host)
+  if (drawing === null) return null
+  const workspace = document.createElement("div")
+  workspace.className = host.querySelector(".blocklySvg")?.parentElement?.className ?? ""
+  workspace.append(drawing)
+  const frame = document.createElement("div")
+  frame.className = "rosyBlocks print-blocks"
+  frame.append(workspace)
+  return frame
+}
+
+/// All blocks in their own drawing, without the scroll position and the scale of the workspace; `null` without blocks. `adopt` may change
+/// the copy of the blocks while all of their originals are drawn.
+export function blockDrawing(
+  host: HTMLElement,
+  adopt: (original: SVGGElement, copy: SVGGElement) => void = () => {},
+): SVGSVGElement | null {
   const svg = host.querySelector<SVGSVGElement>("svg.blocklySvg")
   const canvas = svg?.querySelector<SVGGElement>(".blocklyBlockCanvas")
   if (svg === null || canvas === undefined || canvas === null) return null
-  // Culled blocks have no size while they are not drawn.
+  // Blocks have no size in a region that is not shown, and culled ones while they are not drawn.
+  const region = host.closest<HTMLElement>("[hidden]")
+  region?.removeAttribute("hidden")
   const culled = [...canvas.querySelectorAll(".rosyAway")]
   for (const block of culled) block.classList.remove("rosyAway")
   const {x, y, width, height} = canvas.getBBox()
   const copy = canvas.cloneNode(true) as SVGGElement
+  if (width > 0) adopt(canvas, copy)
   for (const block of culled) block.classList.add("rosyAway")
+  region?.setAttribute("hidden", "")
   if (width === 0) return null
   copy.removeAttribute("transform")
   copy.style.removeProperty("transform")
@@ -60,12 +81,5 @@ function drawingOf(host: HTMLElement): HTMLElement | null {
   drawing.setAttribute("viewBox", [x - margin, y - margin, width + 2 * margin, height + 2 * margin].join(" "))
   drawing.setAttribute("width", `${width + 2 * margin}`)
   drawing.removeAttribute("height")
-  // The style sheets of the blocks apply below elements with the classes of the workspace.
-  const workspace = document.createElement("div")
-  workspace.className = svg.parentElement?.className ?? ""
-  workspace.append(drawing)
-  const frame = document.createElement("div")
-  frame.className = "rosyBlocks print-blocks"
-  frame.append(workspace)
-  return frame
+  return drawing
 }

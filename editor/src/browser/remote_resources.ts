@@ -3,9 +3,9 @@
 import {openReader, type Reader} from "@rosy/codegen/reader"
 import grammarAddress from "tree-sitter-haskell/tree-sitter-haskell.wasm?url"
 import runtimeAddress from "web-tree-sitter/web-tree-sitter.wasm?url"
-import {type Lesson, type LessonEntry, lessonDecoder, lessonListDecoder} from "../lessons/lesson.ts"
-import {type Decoder, decode, list, number, object, optional, parseJson, string} from "../state/decode.ts"
+import {type Lesson, type LessonEntry, lessonDecoder, lessonListDecoder} from "../lesson_files/lesson.ts"
 import type {Example} from "../state/page_state.ts"
+import {type Decoder, decode, list, number, object, optional, parseJson, string} from "../wire/decode.ts"
 import type {World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
 

@@ -1,12 +1,14 @@
 /// WebSocket connection to the service. It connects, reconnects after a loss, and passes decoded messages on.
 
-import type {Decoded} from "../state/decode.ts"
-import {readServiceMessage} from "../state/message_decoder.ts"
-import type {PageMessage, ServiceMessage} from "../state/messages.ts"
+import {readServiceMessage} from "../state/messages/message_decoder.ts"
+import type {ServiceMessage} from "../state/messages/messages.ts"
+import type {Decoded} from "../wire/decode.ts"
+import {encodeRequest} from "../wire/encode.ts"
+import type {Request} from "../wire/page/page.generated.ts"
 
 export interface ServiceConnection {
   /// Sends now, or drops the message when there is no connection: the state sends anew after `hello`.
-  send(message: PageMessage): void
+  send(message: Request): void
   close(): void
 }
 
@@ -56,7 +58,7 @@ export function openConnection(
 
   return {
     send(message) {
-      if (socket?.readyState === WebSocket.OPEN) socket.send(JSON.stringify(message))
+      if (socket?.readyState === WebSocket.OPEN) socket.send(encodeRequest(message))
     },
     close() {
       closed = true

@@ -2,9 +2,9 @@
 
 import {chooseLanguage} from "../browser/preferences.ts"
 import {type ExamplePath, fetchExamplePath, fetchExamples, fetchRooms} from "../browser/remote_resources.ts"
-import type {AppController} from "../page/app_context.ts"
-import type {Store} from "../state/store.ts"
-import type {PageParts} from "./page_parts.ts"
+import type {Store} from "../browser/store.ts"
+import type {AppController} from "../ui/app_context.ts"
+import type {PageParts} from "./document/page_parts.ts"
 
 type PageCommands = Pick<
   AppController,

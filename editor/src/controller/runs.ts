@@ -1,21 +1,21 @@
 /// Runs of programs: the effects of state changes, the connection to the service, the keep-alive for real robots, and the access code of the robots.
 
 import {pageVisibility, seedInAddress, watchPageVisibility} from "../browser/browser_window.ts"
-import {contentOf, download, fileName, pickFile} from "../browser/local_files.ts"
+import {contentOf, download, fileName, noticeOf, pickFile} from "../browser/local_files.ts"
 import {openAccessCode, ownName, setOwnName} from "../browser/preferences.ts"
 import {socketAddress} from "../browser/service_address.ts"
 import {openConnection} from "../browser/service_connection.ts"
-import {judgedSeed} from "../lessons/lesson_state.ts"
-import {lateAfter} from "../preview/preview.ts"
-import type {Speaker} from "../room/sound_synthesis.ts"
+import type {Store} from "../browser/store.ts"
+import {judgedSeed} from "../state/lesson_state.ts"
+import {lateAfter} from "../state/messages/preview.ts"
 import type {PageEvent} from "../state/page_events.ts"
 import {awaitsProgram} from "../state/page_state.ts"
 import {isDriving} from "../state/robot_ownership.ts"
-import type {Store} from "../state/store.ts"
 import type {Effect} from "../state/transition.ts"
-import type {Completions} from "./completion_requests.ts"
-import type {DocumentEditor} from "./document_editor.ts"
-import type {PageParts} from "./page_parts.ts"
+import type {Speaker} from "../views/room/sound_synthesis.ts"
+import type {Completions} from "./document/completion_requests.ts"
+import type {DocumentEditor} from "./document/document_editor.ts"
+import type {PageParts} from "./document/page_parts.ts"
 
 /// Milliseconds between the last change and the check by the compiler.
 const checkPause = 150
@@ -33,9 +33,12 @@ export function effectHandler(
   return effect => {
     if (effect.kind === "play") speaker.play(effect.sound)
     else if (effect.kind === "pick-world")
-      pickFile(".json", async file =>
-        dispatch({kind: "world-file-read", name: file.name, text: await contentOf(file)}),
-      )
+      pickFile(".json", async file => {
+        const {name} = file
+        const content = await contentOf(file)
+        if (content.kind === "text") dispatch({kind: "world-file-read", name, text: content.text})
+        else dispatch({kind: "notice", notice: noticeOf(name, content)})
+      })
     else if (effect.kind === "save-world")
       download(fileName(effect.name, "json"), effect.text, "application/json")
     else if (effect.message.op === "check") {
@@ -58,8 +61,14 @@ export function connectService(
 ): void {
   parts.service = openConnection(() => socketAddress("api/session", window.location), {
     received(message) {
-      if (message.op === "hello" && message.inClass === true) openClass()
+      if (message.op === "hello") parts.seen = 0
+      if (message.op === "hello" && message.class === true) openClass()
       if (message.op === "completed") completions.heard(message)
+      if (message.op === "seen") {
+        parts.seen = message.number
+        // Ten times a second: the state of the page does not depend on it.
+        return
+      }
       store.dispatch({kind: "heard", message})
       // A service takes a new page for one that has the focus.
       const state = pageVisibility()
@@ -74,7 +83,8 @@ export function connectService(
 /// Real robots drive only while a visible page sends `alive`.
 export function sendAlive(store: Store, parts: PageParts): void {
   setInterval(() => {
-    if (isDriving(store.now) && document.visibilityState === "visible") parts.service?.send({op: "alive"})
+    if (isDriving(store.now) && document.visibilityState === "visible")
+      parts.service?.send({op: "alive", seen: parts.seen})
   }, alivePause)
 }
 

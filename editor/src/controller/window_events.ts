@@ -3,18 +3,19 @@
 import {watchFragment, watchShortcuts, watchSize, watchVisibility} from "../browser/browser_window.ts"
 import {watchDrops} from "../browser/local_files.ts"
 import {watchPrint} from "../browser/printing.ts"
-import type {AppController} from "../page/app_context.ts"
+import type {Store} from "../browser/store.ts"
 import {isDriving} from "../state/robot_ownership.ts"
-import {isActive} from "../state/run_state.ts"
-import type {Store} from "../state/store.ts"
+import {isActive} from "../state/runs/run_state.ts"
+import type {AppController} from "../ui/app_context.ts"
 import {words} from "../words/index.ts"
-import type {ColourScheme} from "./colour_scheme.ts"
-import type {DocumentEditor} from "./document_editor.ts"
-import type {PageParts} from "./page_parts.ts"
+import type {ColourScheme} from "./document/colour_scheme.ts"
+import type {DocumentEditor} from "./document/document_editor.ts"
+import type {PageParts} from "./document/page_parts.ts"
 import type {ProgramRequests} from "./program_requests.ts"
+import type {FileOpening} from "./programs/recordings.ts"
 
-export function watchWindow(store: Store, openFile: (file: File) => void, requests: ProgramRequests): void {
-  watchDrops(openFile)
+export function watchWindow(store: Store, files: FileOpening, requests: ProgramRequests): void {
+  watchDrops(files.opened, files.openedFolder)
   watchFragment(fragment => void requests.openLink(fragment))
   watchSize(size => store.dispatch({kind: "size", size}))
   watchVisibility(() => store.dispatch({kind: "out-of-sight"}))

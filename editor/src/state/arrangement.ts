@@ -72,6 +72,39 @@ export const presetTrees: readonly Tree[] = [
   beside("room", beside("blocks", "haskell", 0.6), 0.4),
 ].map(withDiagramBelowBlocks)
 
+/// Of a lesson on a page that is not wide: its panel takes a part of the width, so the blocks have that of the Haskell, which is below them.
+export const lessonArrangement: Arrangement = {
+  tree: withDiagramBelowBlocks(beside(below("blocks", "haskell", 0.62), "room", 0.62)),
+  hidden: firstArrangement.hidden,
+}
+
+/// A page of fewer pixels in width has no room for a lesson beside blocks, Haskell and room.
+const roomForLesson = 1400
+
+/// The arrangement while a lesson is open; one that the learner has chosen stays.
+export const duringLesson = (arrangement: Arrangement, pageWidth: number): Arrangement =>
+  pageWidth < roomForLesson && isSame(arrangement, firstArrangement) ? lessonArrangement : arrangement
+
+/// The arrangement after a lesson.
+export const afterLesson = (arrangement: Arrangement): Arrangement =>
+  isSame(arrangement, lessonArrangement) ? firstArrangement : arrangement
+
+const isSame = (one: Arrangement, other: Arrangement): boolean =>
+  one.hidden.length === other.hidden.length &&
+  one.hidden.every(region => other.hidden.includes(region)) &&
+  sameTree(one.tree, other.tree)
+
+function sameTree(one: Tree, other: Tree): boolean {
+  if (typeof one === "string" || typeof other === "string") return one === other
+  const {split, share, first, second} = one
+  return (
+    split === other.split &&
+    share === other.share &&
+    sameTree(first, other.first) &&
+    sameTree(second, other.second)
+  )
+}
+
 export function regionsIn(tree: Tree): readonly Region[] {
   return typeof tree === "string" ? [tree] : [...regionsIn(tree.first), ...regionsIn(tree.second)]
 }

@@ -1,14 +1,15 @@
 /// Events that change the page's state, grouped by the reducer that applies them.
 
-import type {LessonEvent} from "../lessons/lesson_state.ts"
-import type {RunTreeEvent} from "../runs/run_tree_reducer.ts"
-import type {WhyEvent} from "../why/why_state.ts"
+import type {BlockComment} from "../program/block_comments.ts"
+import type {ChangeOrigin, Document, History} from "../program/history.ts"
+import type {BlockId} from "../program/program.ts"
+import type {ChangeDesc} from "../program/text_changes.ts"
 import type {WorldEdit} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import type {Arrangement, Region, View} from "./arrangement.ts"
-import type {BlockComment} from "./block_comments.ts"
-import type {ChangeOrigin, Document, History} from "./history.ts"
-import type {Hand, ServiceMessage, Speed} from "./messages.ts"
+import type {LessonEvent} from "./lesson_state.ts"
+import type {Hand, ServiceMessage, Speed} from "./messages/messages.ts"
+import type {WhyEvent} from "./messages/why_state.ts"
 import type {
   ChartSpan,
   Gallery,
@@ -21,9 +22,13 @@ import type {
   Tab,
   Theme,
 } from "./page_state.ts"
-import type {BlockId} from "./program.ts"
-import type {TrailStyle} from "./room_state.ts"
-import type {ChangeDesc} from "./text_changes.ts"
+import type {TrailStyle} from "./runs/room_state.ts"
+
+export type RunTreeEvent =
+  /// A stored run is looked at again.
+  | {readonly kind: "run-shown"; readonly run: number}
+  /// A stored run is drawn over the shown one; `null` for none.
+  | {readonly kind: "run-compared"; readonly run: number | null}
 
 export interface Opened {
   readonly name: string
@@ -132,7 +137,7 @@ export type WorldEvent =
   /// The room as a file: to be asked for, to be handed out, and as it was read (`null` when it holds no text).
   | {readonly kind: "world-file-wanted"}
   | {readonly kind: "world-file-made"}
-  | {readonly kind: "world-file-read"; readonly name: string; readonly text: string | null}
+  | {readonly kind: "world-file-read"; readonly name: string; readonly text: string}
 
 /// What the page shows, and the learner's settings.
 export type ViewEvent =

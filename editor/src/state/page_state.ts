@@ -1,19 +1,28 @@
 /// The page's state as one value without a DOM, and its first value.
 
-import {type LessonsState, noLessons} from "../lessons/lesson_state.ts"
-import {noRuns, type RunTree} from "../runs/run_tree.ts"
-import {noQuestion, type WhyState} from "../why/why_state.ts"
+import type {Confusable} from "@rosy/codegen"
+import type {OlderEncoding, TextFile} from "@rosy/codegen/text-file"
+import type {BlockComment} from "../program/block_comments.ts"
+import {
+  type Document,
+  emptyDocument,
+  emptyHistory,
+  type History,
+  type NumberDrag,
+} from "../program/history.ts"
+import type {BlockId, Finding} from "../program/program.ts"
+import type {OwnTopic, ProgramPart} from "../program/program_graph.ts"
+import type {Declaration, TypesAtPlaces} from "../wire/worker.generated.ts"
 import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
-import type {BlockComment} from "./block_comments.ts"
-import {type Document, emptyDocument, emptyHistory, type History, type NumberDrag} from "./history.ts"
-import type {Declared, RecordedFile, Speed, TypesAtPlaces, WorkerState} from "./messages.ts"
-import type {BlockId, Finding} from "./program.ts"
-import type {OwnTopic, ProgramPart} from "./program_graph.ts"
+import {type LessonsState, noLessons} from "./lesson_state.ts"
+import type {RecordedFile, Speed, WorkerState} from "./messages/messages.ts"
+import {noQuestion, type WhyState} from "./messages/why_state.ts"
 import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
-import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./room_state.ts"
-import type {RunState} from "./run_state.ts"
+import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./runs/room_state.ts"
+import type {RunState} from "./runs/run_state.ts"
+import {noRuns, type RunTree} from "./runs/run_tree.ts"
 
 /// How much room the window has: all regions, two of them, or one at a time.
 export type Size = "wide" | "tablet" | "phone"
@@ -37,18 +46,43 @@ export type Gallery =
   | {readonly kind: "failed"}
 
 /// What others need to open the program.
+/// Who can open a link: all that reach the page, others on the network of this computer by another address than the page's, or this computer alone.
+export type Reach = "page" | "network" | "computer"
+
 export interface Shared {
   readonly link: string
   /// The link as a QR code; `null` when it is too long for one.
   readonly code: {readonly size: number; readonly path: string} | null
   /// Markup for a page elsewhere.
   readonly embed: string
+  readonly reach: Reach
+}
+
+/// Characters that look right and are not, as they were found in a text. There is at least one.
+export interface FoundConfusables {
+  readonly text: string
+  readonly found: readonly [Confusable, ...Confusable[]]
 }
 
 /// Something the page itself has to say; `words` has the sentences.
 export type Notice =
   | {readonly kind: "unreadable-file"; readonly name: string; readonly message: string; readonly hint: string}
   | {readonly kind: "not-text"; readonly name: string}
+  | ({readonly kind: "older-encoding"; readonly name: string; readonly text: string} & OlderEncoding)
+  | {readonly kind: "empty-file"; readonly name: string}
+  /// `name` is what the characters came with: a file, or the pasted text.
+  | ({readonly kind: "confusable"; readonly name: string} & FoundConfusables)
+  /// A folder or an archive with several programs, one of which can be opened; `unread` more could not be read.
+  | {
+      readonly kind: "several-programs"
+      readonly name: string
+      readonly programs: readonly {readonly name: string; readonly content: TextFile}[]
+      readonly unread: number
+    }
+  | {readonly kind: "no-programs"; readonly name: string}
+  /// More files or letters than are read at once.
+  | {readonly kind: "too-many-files"; readonly name: string}
+  | {readonly kind: "damaged-archive"; readonly name: string}
   /// Text, but neither a program nor a room.
   | {readonly kind: "not-program"; readonly name: string}
   | {readonly kind: "too-large"; readonly name: string}
@@ -62,8 +96,11 @@ export type Notice =
   | {readonly kind: "no-film"}
   | {readonly kind: "no-reader"}
   | {readonly kind: "not-saved"}
+  | {readonly kind: "progress-not-saved"}
   /// So many definitions were left as they are when the text was laid out.
   | {readonly kind: "not-formatted"; readonly left: number}
+  /// An edit of blocks was taken back: the text of these definitions, read again, would not be the tree of their blocks.
+  | {readonly kind: "other-meaning"; readonly names: readonly string[]}
   /// An edit of blocks would have lost what is unfinished in the text of these definitions.
   | {readonly kind: "unfinished-text"; readonly names: readonly string[]}
   /// Two tabs changed the same program; this tab's version is stored as the copy.
@@ -99,6 +136,8 @@ export interface PageState {
   /// The name that ROS clients reach the robot by; `null` before the first connection.
   readonly session: string | null
   readonly worker: WorkerState
+  /// Why the worker cannot start, in a sentence; empty unless it has failed.
+  readonly workerFault: string
   readonly run: RunState
   /// The number of the newest run; each run takes the next.
   readonly runs: number
@@ -118,7 +157,7 @@ export interface PageState {
   readonly clock: "going" | "standing"
   readonly speed: Speed
   /// The program's own names with the types that the compiler found.
-  readonly declared: readonly Declared[]
+  readonly declared: readonly Declaration[]
   /// The type of every piece of the text that the compiler has read last.
   readonly types: TypesAtPlaces & {readonly text: string}
   /// What the newest program without mistakes runs, and its text; `null` before the first.
@@ -228,6 +267,7 @@ export const initialState: PageState = {
   link: "connecting",
   session: null,
   worker: "starting",
+  workerFault: "",
   run: {kind: "ready"},
   runs: 0,
   checks: 0,

@@ -1,13 +1,13 @@
 /// Robot ownership: the page's requests to take, stop and release a real robot, and the service's answers. Pure.
 
-import {noRuns} from "../runs/run_tree.ts"
 import {isLarge, type World} from "../worlds/world.ts"
-import type {ServiceMessage} from "./messages.ts"
+import type {ServiceMessage} from "./messages/messages.ts"
 import type {RobotEvent} from "./page_events.ts"
 import type {PageState} from "./page_state.ts"
 import {floorOf, type OwnedRobot} from "./robots.ts"
-import {clearRoom} from "./room_state.ts"
-import {isActive, nextRun} from "./run_state.ts"
+import {clearRoom} from "./runs/room_state.ts"
+import {isActive, nextRun} from "./runs/run_state.ts"
+import {noRuns} from "./runs/run_tree.ts"
 import {sending, still, type Transition} from "./transition.ts"
 
 export type RobotMessage = Extract<ServiceMessage, {op: "robots" | "robot"}>
@@ -53,8 +53,9 @@ export function reduceRobotEvent(state: PageState, event: RobotEvent): Transitio
 export function reduceRobotMessage(state: PageState, message: RobotMessage): Transition {
   const {robots} = state
   if (message.op === "robots") {
-    const {locked} = message
-    const told = {...state, robots: {...robots, offered: {locked, robots: message.robots}}}
+    const {op: _, ...offered} = message
+    const {locked} = offered
+    const told = {...state, robots: {...robots, offered}}
     // After a lost connection the page opens them again by itself.
     return locked && robots.code !== null ? sending(told, {op: "unlock", code: robots.code}) : still(told)
   }

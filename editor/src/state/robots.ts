@@ -1,24 +1,11 @@
 /// Real robots offered by the service, and the robot that this page controls. Pure.
 
+import type {RobotName, RobotState} from "../wire/page/robots.generated.ts"
 import type {World} from "../worlds/world.ts"
 
-/// A robot by its name, who has it, and whether that is this page.
-export interface RobotName {
-  readonly name: string
-  readonly holder: string | null
-  readonly yours: boolean
-}
-
 /// The robot that this page controls (protocol §4, `robot`).
-export interface OwnedRobot {
-  readonly name: string
-  readonly link: "connecting" | "connected" | "lost"
-  readonly why: string
-  /// The emergency stop holds its wheels.
-  readonly stopped: boolean
-  /// Metres and radians a second.
-  readonly maxSpeed: number
-  readonly maxTurn: number
+export type OwnedRobot = Omit<RobotState, "op" | "sentence" | "link"> & {
+  readonly link: Exclude<RobotState["link"], "gone">
 }
 
 /// Safety rules of the robot, simulated or real: on or off, and since when they override the program, in seconds of the
@@ -30,7 +17,12 @@ export interface SafetyRules {
 
 export interface RobotsState {
   /// `null` where the service has no robots.
-  readonly offered: {readonly locked: boolean; readonly robots: readonly RobotName[]} | null
+  readonly offered: {
+    readonly locked: boolean
+    readonly robots: readonly RobotName[]
+    /// More may appear by themselves.
+    readonly discovers: boolean
+  } | null
   readonly held: OwnedRobot | null
   /// The code that unlocks them; `null` until it is entered or read from the storage.
   readonly code: string | null

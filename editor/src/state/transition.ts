@@ -1,11 +1,11 @@
 /// Transition of the page's state: the next state and the effects to perform; helpers of the reducers.
 
-import type {PageMessage} from "./messages.ts"
+import type {Request} from "../wire/page/page.generated.ts"
 import type {PageState} from "./page_state.ts"
 
 /// Effect outside of the state: a message to send, a sound to play, a file to read or to download.
 export type Effect =
-  | {readonly kind: "send"; readonly message: PageMessage}
+  | {readonly kind: "send"; readonly message: Request}
   | {readonly kind: "play"; readonly sound: number}
   /// A file of a room: to choose from the computer, or to download.
   | {readonly kind: "pick-world"}
@@ -20,7 +20,7 @@ export interface Transition {
 export const still = (state: PageState): Transition => ({state, effects: []})
 
 /// The next state and messages to the service.
-export const sending = (state: PageState, ...messages: PageMessage[]): Transition => ({
+export const sending = (state: PageState, ...messages: Request[]): Transition => ({
   state,
   effects: messages.map(message => ({kind: "send", message})),
 })

@@ -1,8 +1,8 @@
 /// Findings that the page shows: those of the compiler and of the blocks, without empty sockets that no refused run had. Pure.
 
-import type {Document} from "./history.ts"
+import type {Document} from "../program/history.ts"
+import {type Finding, isOverlapping} from "../program/program.ts"
 import type {PageState, Refused} from "./page_state.ts"
-import {type Finding, isOverlapping} from "./program.ts"
 
 /// The empty sockets of a document whose run was refused.
 export function refusedSockets({program, findings}: Document): Refused {

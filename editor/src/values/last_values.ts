@@ -1,9 +1,9 @@
 /// Last values that only firings tell: what a function took and gave, the latest command or event of a type. Pure.
 
-import {type RoomState, shownFrame} from "../state/room_state.ts"
-import {shortFractions} from "../why/sentence_words.ts"
+import {type FiringLog, latestFirings} from "../state/runs/firing_log.ts"
+import {type RoomState, shownFrame} from "../state/runs/room_state.ts"
 import type {Measures} from "../words/number_formats.ts"
-import {type FiringLog, latestFirings} from "./firing_log.ts"
+import {shortFractions} from "./sentence_words.ts"
 import {firingText, type LabelWords} from "./value_labels.ts"
 
 /// Of a node of the diagram, at the displayed moment; `null` when it is not known.

@@ -1,10 +1,11 @@
 /// Branches that functions took at the displayed moment, as places in text and blocks: equations, guards, alternatives. Pure.
 
-import type {Firing, FiringBranch} from "../state/firings.ts"
+import {type BlockId, offsetOf, type Program} from "../program/program.ts"
 import type {PageState} from "../state/page_state.ts"
-import {type BlockId, offsetOf, type Program} from "../state/program.ts"
-import {shownFrame} from "../state/room_state.ts"
-import {latestFirings} from "./firing_log.ts"
+import {latestFirings} from "../state/runs/firing_log.ts"
+import {shownFrame} from "../state/runs/room_state.ts"
+import type {Branch} from "../wire/firing.generated.ts"
+import type {FiringShown} from "../wire/page/explanations.generated.ts"
 
 export interface TakenBranches {
   /// Offsets, in the order of the text; of nested branches the outer one first.
@@ -33,7 +34,7 @@ export function takenBranches(state: Pick<PageState, "document" | "room" | "valu
 }
 
 /// The branches of the function itself and of its local definitions; all of a function without a name.
-function ownBranches({function: name, branches}: Firing): readonly FiringBranch[] {
+function ownBranches({function: name, branches}: FiringShown): readonly Branch[] {
   const own = branches.filter(branch => branch.in.includes(name))
   return own.length > 0 ? own : branches
 }

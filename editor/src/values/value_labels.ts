@@ -1,16 +1,17 @@
 /// Values of a program at the displayed moment, in place: what each function took last and gave, and what each memory holds. Pure.
 
-import type {Firing, FiringInput, FiringOutput} from "../state/firings.ts"
-import type {Frame} from "../state/messages.ts"
+import type {BlockId, Definition} from "../program/program.ts"
+import type {ProgramPart} from "../program/program_graph.ts"
+import type {Frame} from "../state/messages/messages.ts"
+import {lookedBackFor, type Question} from "../state/messages/why_state.ts"
 import type {PageState} from "../state/page_state.ts"
-import type {BlockId, Definition} from "../state/program.ts"
-import type {ProgramPart} from "../state/program_graph.ts"
-import {shownFrame} from "../state/room_state.ts"
-import {shortFractions, storedValue} from "../why/sentence_words.ts"
-import {lookedBackFor, type Question} from "../why/why_state.ts"
+import {latestFirings} from "../state/runs/firing_log.ts"
+import {shownFrame} from "../state/runs/room_state.ts"
+import type {Given, Taken} from "../wire/firing.generated.ts"
+import type {FiringShown} from "../wire/page/explanations.generated.ts"
 import type {words as english} from "../words/index.ts"
 import type {Measures} from "../words/number_formats.ts"
-import {latestFirings} from "./firing_log.ts"
+import {shortFractions, storedValue} from "./sentence_words.ts"
 
 /// A label at a definition.
 export interface ValueLabel {
@@ -63,7 +64,12 @@ export function valueLabels(state: Shown, words: LabelWords, measures: Measures)
 type LabelText = Pick<ValueLabel, "text" | "whole" | "isOld">
 
 /// What a firing took and gave.
-export function firingText(firing: Firing, time: number, words: LabelWords, measures: Measures): LabelText {
+export function firingText(
+  firing: FiringShown,
+  time: number,
+  words: LabelWords,
+  measures: Measures,
+): LabelText {
   const took = firing.took.map(inputText).join(", ")
   const gave = firing.gave.map(one => outputText(one, words)).join(", ") || words.nothing
   const isOld = time - firing.time > fresh
@@ -122,10 +128,10 @@ function folding(text: string, longest: number): string {
 }
 
 /// The label of a value that cannot be shown is its type.
-const inputText = ({value, type}: FiringInput): string =>
+const inputText = ({value, type}: Taken): string =>
   value === "_" && type !== "" ? type : shortFractions(value)
 
-function outputText({to, value, type}: FiringOutput, words: LabelWords): string {
+function outputText({to, value, type}: Given, words: LabelWords): string {
   switch (to) {
     case "done":
       return "Done"

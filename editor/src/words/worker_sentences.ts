@@ -2,8 +2,10 @@
 ///
 /// A language is a table in `protocol/sentences`, checked by `scripts/sentences.py`. English has none: every message carries its English text.
 
-import type {Argument, Sentence} from "../state/sentence.ts"
+import type {Sentence} from "../wire/problem.generated.ts"
 import {measures} from "./index.ts"
+
+type Argument = Sentence["arguments"][string]
 
 /// A table of `protocol/sentences`.
 export interface SentenceTable {

@@ -24,6 +24,8 @@ export interface Box extends Pose {
   readonly h: number
   readonly movable: boolean
   readonly mass: number
+  /// An area that no scan has seen. It blocks like a block that stands fast.
+  readonly unknown?: true
 }
 
 /// A post or a drum, by its centre.

@@ -1,6 +1,7 @@
 /// Decoder of worlds: the world, or its first fault with a path. Rules and sentences are those of `sim-service/rosy_sim/world/arena.py`;
 /// `protocol/goldens/worlds.jsonl` tests both.
 
+import {Mismatch} from "../wire/decode.ts"
 import {
   type Box,
   defaultLaps,
@@ -34,6 +35,15 @@ import {
   Wrong,
   within,
 } from "./world_fields.ts"
+
+/// A world in a message; throws a `Mismatch` at `path`.
+export function worldAt(path: string, value: unknown): World {
+  const read = readWorld(value)
+  if (read.kind === "world") return read.world
+  const {fault} = read
+  const why = fault.why.replace(/^expected /, "").replace(/\.$/, "")
+  throw new Mismatch([path, fault.path].filter(Boolean).join("."), why)
+}
 
 export type ReadWorld =
   | {readonly kind: "world"; readonly world: World}
@@ -160,14 +170,18 @@ function wall(value: unknown, path: string): Wall {
 
 function box(value: unknown, path: string): Box {
   const fields = record(value, path)
+  const movable = flag(fields, "movable", path)
+  const unknown = flag(fields, "unknown", path)
+  if (movable && unknown) throw new Wrong(`${path}.movable`, "an unknown area cannot be pushed.")
   return {
     x: required(fields, "x", path),
     y: required(fields, "y", path),
     w: length(fields, "w", path),
     h: length(fields, "h", path),
     theta: number(or(field(fields, "theta"), 0), `${path}.theta`),
-    movable: flag(fields, "movable", path),
+    movable,
     mass: mass(fields, path),
+    ...(unknown ? {unknown} : {}),
   }
 }
 

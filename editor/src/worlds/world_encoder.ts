@@ -28,10 +28,11 @@ export function writeWorld(world: World): WorldFile {
     ...(tiles.length === 0 && tile === defaultTile ? {} : {tile}),
     ...some("tiles", tiles, row => row),
     ...some("walls", walls, wall => ({from: [...wall.from], to: [...wall.to]})),
-    ...some("boxes", boxes, ({x, y, w, h, theta, movable, mass}) => ({
+    ...some("boxes", boxes, ({x, y, w, h, theta, movable, mass, unknown}) => ({
       ...{x, y, w, h},
       ...(theta === 0 ? {} : {theta}),
       ...weight(movable, mass),
+      ...(unknown ? {unknown} : {}),
     })),
     ...some("rounds", rounds, ({x, y, r, movable, mass}) => ({x, y, r, ...weight(movable, mass)})),
     ...some("goals", goals, writeGoal),

@@ -106,19 +106,6 @@ export function socket(page: Page, id: string, input: string): Promise<Spot> {
   )
 }
 
-/// Where the name on a definition's header can be taken.
-export async function nameOf(page: Page, called: string): Promise<Spot> {
-  const name = page.getByRole("button", {name: `Edit name of the definition: ${called}`})
-  const box = (await name.boundingBox())!
-  return {x: box.x + 10, y: box.y + 8}
-}
-
-/// Where a hand lets go of a name that `simulate` is to run.
-export async function simulateSocket(page: Page): Promise<Spot> {
-  const {x, y} = await socket(page, "main", "R0")
-  return {x: x + 26, y: y + 6}
-}
-
 /// Drags from one spot to another, in steps as a hand does, and lets go unless told to hold.
 export async function drag(page: Page, from: Spot, to: Spot, hold = false): Promise<void> {
   await page.mouse.move(from.x, from.y)

@@ -33,7 +33,7 @@ export async function startStage(): Promise<StartedStage> {
     server: {port: 0, host: "127.0.0.1", watch: null, hmr: false},
     optimizeDeps: {
       include: ["blockly/core", "blockly/msg/en"],
-      entries: ["dev/blocks.html", "src/source/haskell_pane.ts"],
+      entries: ["dev/blocks.html", "src/views/source/haskell_pane.ts"],
     },
   })
   await server.listen()

@@ -2,7 +2,7 @@
 
 import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {afterAll, beforeAll, describe, expect, inject, test} from "vitest"
-import {drag, nameOf, openStage, type Stage, settled, simulateSocket, socket} from "./browser.ts"
+import {drag, openStage, type Stage, settled, socket} from "./browser.ts"
 import {Keys} from "./keyboard_user.ts"
 
 let stage: Stage
@@ -36,21 +36,8 @@ async function accelerate(keys: Keys): Promise<void> {
   await keys.take("va")
 }
 
-async function run(keys: Keys, ...names: readonly string[]): Promise<void> {
-  for (const [at, name] of names.entries()) {
-    await keys.choose("simulate")
-    if (at > 0) {
-      await keys.goTo("run one more")
-      await keys.press("Enter")
-      await keys.choose("simulate")
-    }
-    await keys.goTo(at === 0 ? /^what to run/ : `what to run, ${at + 1}`)
-    await keys.take(name)
-  }
-}
-
 describe("by mouse", () => {
-  test("move: a ready function from the toolbox, its name dragged into simulate", async () => {
+  test("move: a ready function dragged from the toolbox", async () => {
     const keys = await Keys.onEmpty(stage)
     const {page} = keys
     await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
@@ -58,12 +45,10 @@ describe("by mouse", () => {
     const box = (await offered.boundingBox())!
     await drag(page, {x: box.x + 12, y: box.y + box.height - 6}, {x: 500, y: 320})
     await settled(page)
-    await drag(page, await nameOf(page, "move"), await simulateSocket(page))
-    await settled(page)
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
 
-  test("move by clicks alone: a ready function lies below the others, its name comes where it was asked for", async () => {
+  test("move by a click: a ready function lies below the others and runs; a place that is pressed later is offered what fits", async () => {
     const keys = await Keys.onEmpty(stage)
     const {page} = keys
     await page.locator(".blocklyToolboxCategory", {hasText: "Tell the robot"}).click()
@@ -72,6 +57,8 @@ describe("by mouse", () => {
     const box = (await offered("move").boundingBox())!
     await page.mouse.click(box.x + 12, box.y + box.height - 6)
     await settled(page)
+    expect((await keys.haskell()).trim()).toBe(example("move"))
+    await page.evaluate(() => window.Blockly.getMainWorkspace().getBlocksByType("name")[0]?.dispose())
     // What was searched before was for another place.
     await page.getByRole("searchbox").fill("bumper")
     await offered("bumper").waitFor()
@@ -155,6 +142,33 @@ describe("by keyboard alone", () => {
     expect(await keys.page.evaluate(() => document.activeElement?.className)).toContain("rosySearch")
   })
 
+  test("a case, an input or a run that is removed takes its blocks along, and undo brings them back", async () => {
+    for (const [taken, stack, button, gone] of [
+      ["ready-made: complain", "complain", /remove the last case/, "complain (Bumper _ Released) = Nothing"],
+      ["ready-made: remember a number", "countBumps", /^one input less/, "(Memory n)"],
+      ["ready-made: complain", "simulate", /^run one less/, ", complain)"],
+    ] as const) {
+      const keys = await Keys.onEmpty(stage)
+      await keys.take("ready-made: get faster")
+      await keys.take(taken)
+      const before = await keys.haskell()
+      expect(before).toContain(gone)
+      const stacks = await keys.page.evaluate(
+        () => window.Blockly.getMainWorkspace().getTopBlocks(false).length,
+      )
+      await keys.choose(stack)
+      await keys.goTo(button)
+      await keys.press("Enter")
+      expect(await keys.haskell()).not.toContain(gone)
+      expect(
+        await keys.page.evaluate(() => window.Blockly.getMainWorkspace().getTopBlocks(false).length),
+      ).toBe(stacks)
+      await keys.page.evaluate(() => window.blocks.undo())
+      await settled(keys.page)
+      expect(await keys.haskell()).toBe(before)
+    }
+  })
+
   test("R makes one more place in simulate, V goes to numbers, and a number is typed where it belongs", async () => {
     const keys = await Keys.onEmpty(stage)
     await keys.press("r")
@@ -181,20 +195,18 @@ describe("by keyboard alone", () => {
     await keys.page.keyboard.insertText("back off")
     await settled(keys.page)
     await keys.press("Enter")
-    expect(await keys.haskell()).toContain("simulate (driveOn, backOff)")
+    expect(await keys.haskell()).toContain("simulate (priority 1 backOff driveOn)")
   })
 
   test("move", async () => {
     const keys = await Keys.onEmpty(stage)
     await keys.take("send always")
-    await run(keys, "move")
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
 
   test("accelerate", async () => {
     const keys = await Keys.onEmpty(stage)
     await accelerate(keys)
-    await run(keys, "accelerate")
     expect((await keys.haskell()).trim()).toBe(example("accelerate"))
   })
 
@@ -219,7 +231,6 @@ describe("by keyboard alone", () => {
     await keys.press("Enter", "ArrowDown", "Enter")
     await keys.choose("play")
     await keys.fill("nothing no value")
-    await run(keys, "accelerate", "play")
     expect((await keys.haskell()).trim()).toBe(example("accelerateAndPlay"))
   })
 

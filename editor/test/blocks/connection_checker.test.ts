@@ -1,6 +1,6 @@
 import type {Place, Verdict} from "@rosy/codegen"
 import {expect, test} from "vitest"
-import {Movement} from "../../src/blocks/dragging/connection_checker.ts"
+import {Movement} from "../../src/views/blocks/dragging/connection_checker.ts"
 
 const refusing = () => {
   const asked: string[] = []
@@ -10,6 +10,7 @@ const refusing = () => {
       return {fits: false, why: "no"}
     },
     referenceTo: () => ({fits: false, why: "no"}) as const,
+    overriddenReaction: () => undefined,
   }
   return {asked, asker}
 }

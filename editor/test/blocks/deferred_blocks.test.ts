@@ -8,7 +8,7 @@ import {
   deferredBlocks,
   holdsBlock,
   setDeferredBlocks,
-} from "../../src/blocks/workspace/deferred_blocks.ts"
+} from "../../src/views/blocks/workspace/deferred_blocks.ts"
 
 const view = {left: 0, top: 0, width: 800, height: 600}
 

@@ -1,5 +1,5 @@
 import {describe, expect, test} from "vitest"
-import {haskellNumber, TextField} from "../../src/blocks/construction/text_fields.ts"
+import {haskellNumber, TextField} from "../../src/views/blocks/construction/text_fields.ts"
 
 describe("what is typed into a number", () => {
   test.each([

@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import {type Box, nearestFreePlace} from "../../src/blocks/dragging/free_place.ts"
+import {type Box, nearestFreePlace} from "../../src/views/blocks/dragging/free_place.ts"
 
 const box = (left: number, top: number, width: number, height: number): Box => ({
   left,

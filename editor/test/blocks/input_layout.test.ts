@@ -1,6 +1,6 @@
 import type {Shape} from "@rosy/codegen"
 import {describe, expect, test} from "vitest"
-import {fieldValues, inputLayout, layoutKey} from "../../src/blocks/construction/input_layout.ts"
+import {fieldValues, inputLayout, layoutKey} from "../../src/views/blocks/construction/input_layout.ts"
 import {small} from "./small_language.ts"
 
 const view = (type: string) => small.blockTypes.find(found => found.type === type)!

@@ -1,7 +1,7 @@
 import {readFileSync} from "node:fs"
 import * as codegen from "@rosy/codegen"
 import {expect, test} from "vitest"
-import {suggest} from "../../src/blocks/interaction/insertion_points.ts"
+import {suggest} from "../../src/views/blocks/interaction/insertion_points.ts"
 
 test("who adds to what runs is offered first what does not run yet", () => {
   const text = readFileSync(
@@ -26,7 +26,7 @@ test("who adds to what runs is offered first what does not run yet", () => {
 
 test.each([
   ["tasks", ["drive 50 cm", "turn 90 degrees"]],
-  ["reactions", ["ready-made: drive straight on", "ready-made: complain at a bump"]],
+  ["reactions", ["ready-made: drive straight on", "ready-made: back off at a bump"]],
 ] as const)("simulate of an empty program is offered what the level %s begins with", (level, labels) => {
   const workspace = codegen.newWorkspace()
   const [main] = workspace.blocks.blocks

@@ -1,5 +1,5 @@
 import {expect, test} from "vitest"
-import {outlines, padding, pen, sides} from "../../src/blocks/appearance/outlines.ts"
+import {outlines, padding, pen, sides} from "../../src/views/blocks/appearance/outlines.ts"
 
 /// Follows relative `l`, `a`, `h` and `v` commands to where they end.
 function end(path: string): {x: number; y: number; most: number} {

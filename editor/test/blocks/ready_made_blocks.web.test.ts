@@ -1,7 +1,7 @@
-/// Ready-made pieces from the toolbox drop in whole, by mouse, by keyboard and by finger: with the name in `simulate` it is a program.
+/// Ready-made pieces from the toolbox drop in whole, by mouse, by keyboard and by finger: they run at once.
 
 import {afterAll, beforeAll, expect, inject, test} from "vitest"
-import {drag, Finger, nameOf, openStage, type Spot, type Stage, settled, simulateSocket} from "./browser.ts"
+import {drag, Finger, openStage, type Spot, type Stage, settled} from "./browser.ts"
 import {Keys} from "./keyboard_user.ts"
 
 let stage: Stage
@@ -48,31 +48,24 @@ async function finds(keys: Keys, words: string): Promise<Spot> {
 
 const free: Spot = {x: 520, y: 320}
 
-test.each(pieces)("$called by mouse", async ({found, called, text}) => {
+test.each(pieces)("$called by mouse", async ({found, text}) => {
   const keys = await Keys.onEmpty(stage)
   await drag(keys.page, await finds(keys, found), free)
   await settled(keys.page)
-  await drag(keys.page, await nameOf(keys.page, called), await simulateSocket(keys.page))
-  await settled(keys.page)
   expect(await keys.haskell()).toBe(text)
 })
 
-test.each(pieces)("$called by keyboard", async ({found, called, text}) => {
+test.each(pieces)("$called by keyboard", async ({found, text}) => {
   const keys = await Keys.onEmpty(stage)
   await keys.take(found)
-  await keys.choose("simulate")
-  await keys.goTo(/^what to run/)
-  await keys.take(called)
   expect(await keys.haskell()).toBe(text)
 })
 
-test.each(pieces)("$called by finger", async ({found, called, text}) => {
+test.each(pieces)("$called by finger", async ({found, text}) => {
   const keys = await Keys.onEmpty(stage)
   const {page} = keys
   const finger = await Finger.on(page)
   await finger.drag(await finds(keys, found), free)
-  await settled(page)
-  await finger.drag(await nameOf(page, called), await simulateSocket(page))
   await settled(page)
   expect(await keys.haskell()).toBe(text)
 })

@@ -107,3 +107,23 @@ test("a level hides nothing of a program and locks nothing in it", async () => {
   )
   expect(locked).toEqual([])
 })
+
+test("where only the compiler knows whether a block fits, the drag says so, and the block goes in", async () => {
+  const page = await start()
+  const from = await page.evaluate(() => {
+    const block = window.Blockly.serialization.blocks.append(
+      {id: "text", type: "raw_expression", x: 500, y: 340, extraState: {text: "blend", reason: "expression"}},
+      window.Blockly.getMainWorkspace(),
+    )
+    return block.id
+  })
+  await settled(page)
+  const to = await socket(page, "far", "E0_0")
+  await drag(page, await grip(page, from), {x: to.x + 12, y: to.y + 8}, true)
+  expect(await said(page)).toBe("Only the compiler knows the types here, and so whether this fits.")
+  await page.mouse.up()
+  await settled(page)
+  expect(
+    await page.evaluate(() => window.Blockly.getMainWorkspace().getBlockById("text")?.getParent()?.id),
+  ).toBe("far")
+})

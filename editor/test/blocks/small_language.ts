@@ -20,7 +20,7 @@ import {
   socketKey,
   type TypeInfo,
 } from "@rosy/codegen"
-import type {Language} from "../../src/blocks/language.ts"
+import type {Language} from "../../src/views/blocks/construction/language.ts"
 
 const label = (text: string, strong = false): Item => ({kind: "label", text, strong})
 const socket = (name: string, hint: string, sort: "expression" | "pattern" = "expression"): Item => ({
@@ -286,7 +286,7 @@ function namesInScope(): readonly InScope[] {
 export const small: Language = {
   blockTypes: views,
   infer,
-  session: () => ({infer, checker, namesInScope, referenceTo}),
+  session: () => ({infer, checker, namesInScope, referenceTo, overriddenReaction: () => undefined}),
   rename(workspace, block, key, name) {
     if (!/^[a-z]\w*$/.test(name)) return {ok: false, why: "A name is one word with a small letter first."}
     const all = [...blocksOf(workspace)]

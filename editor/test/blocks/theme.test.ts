@@ -1,7 +1,15 @@
 import {readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
-import {socketShade} from "../../src/blocks/appearance/style_sheet.ts"
-import {contrast, families, fillOf, fills, ink, mix, type Tone} from "../../src/blocks/appearance/theme.ts"
+import {socketShade} from "../../src/views/blocks/appearance/style_sheet.ts"
+import {
+  contrast,
+  families,
+  fillOf,
+  fills,
+  ink,
+  mix,
+  type Tone,
+} from "../../src/views/blocks/construction/theme.ts"
 
 const tones: readonly Tone[] = ["light", "dark"]
 

@@ -1,6 +1,6 @@
 import {expect, test} from "vitest"
-import {flyoutBlock, toolboxInfo} from "../../src/blocks/interaction/toolbox.ts"
-import {search, searchEntries} from "../../src/blocks/interaction/toolbox_search.ts"
+import {flyoutBlock, toolboxInfo} from "../../src/views/blocks/interaction/toolbox.ts"
+import {search, searchEntries, searchNear} from "../../src/views/blocks/interaction/toolbox_search.ts"
 import {small} from "./small_language.ts"
 
 const items = searchEntries(
@@ -73,4 +73,24 @@ test("search comes first and the names in scope last", () => {
   const names = (toolboxInfo(small, "reactions").contents as unknown as {name: string}[]).map(c => c.name)
   expect(names[0]).toBe("Search blocks")
   expect(names.at(-1)).toBe("Names in scope")
+})
+
+test.each([
+  ["bakwards", ["drive back"]],
+  ["wehn it bumps", ["when the bumper is pressed"]],
+  ["drive to the moon", ["drive back", "when the bumper is pressed"]],
+  ["rotaet", ["turn"]],
+  ["ct", []],
+  ["?!", []],
+] as const)("what is near %s, which finds nothing", (query, expected) => {
+  const made = searchEntries(
+    [
+      {label: "drive back", block: {type: "a"}, also: "backwards reverse"},
+      {label: "turn", block: {type: "b"}, also: "rotate cat"},
+      {label: "when the bumper is pressed", block: {type: "c"}},
+    ],
+    [],
+  )
+  expect(search(made, query)).toEqual([])
+  expect(searchNear(made, query).map(item => item.label)).toEqual(expected)
 })

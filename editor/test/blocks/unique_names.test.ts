@@ -1,6 +1,7 @@
+import {uniqueName} from "@rosy/codegen"
 import {expect, test} from "vitest"
-import {uniqueName, withUniqueNames} from "../../src/blocks/construction/unique_names.ts"
-import {spacingMoves} from "../../src/blocks/dragging/placement.ts"
+import {withUniqueNames} from "../../src/views/blocks/construction/unique_names.ts"
+import {spacingMoves} from "../../src/views/blocks/dragging/placement.ts"
 
 test("a name that is taken gets the first number that is free", () => {
   expect(uniqueName("f", new Set())).toBe("f")

@@ -2,7 +2,7 @@
 
 import type {SavedBlock} from "@rosy/codegen"
 import {describe, expect, it} from "vitest"
-import {mergeWorkspaces} from "../../src/blocks/workspace/workspace_merge.ts"
+import {mergeWorkspaces} from "../../src/views/blocks/workspace/workspace_merge.ts"
 
 const block = (id: string, value: string): SavedBlock => ({type: "number", id, extraState: {value}})
 const workspace = (...blocks: SavedBlock[]) => ({blocks: {languageVersion: 0, blocks}})

@@ -1,10 +1,12 @@
 /// What the browser keeps of a learner's programs, in one tab and in several.
 
 import {describe, expect, it} from "vitest"
-import {memoryStorage as storage} from "../../src/browser/memory_storage.ts"
-import {openProgramStore} from "../../src/browser/program_store.ts"
+import {memoryStorage as storage} from "../../src/storage/memory_storage.ts"
+import {openProgramStore} from "../../src/storage/program_store.ts"
 import {writeWorld} from "../../src/worlds/world_encoder.ts"
 import {emptyRoom} from "../worlds/worlds.ts"
+
+const names = (programs: readonly {readonly name: string}[]) => programs.map(program => program.name)
 
 describe("the program that is there after a reload", () => {
   it("is the one that this tab had open, whatever another tab did since", () => {
@@ -33,8 +35,6 @@ describe("the program that is there after a reload", () => {
 })
 
 describe("deleted programs", () => {
-  const names = (programs: readonly {readonly name: string}[]) => programs.map(program => program.name)
-
   it("leave the list, are not opened after a reload, and can be restored", () => {
     const shared = storage()
     const tab = storage()
@@ -72,6 +72,23 @@ describe("deleted programs", () => {
     expect(shelf.save("d", "more", "w".repeat(60), 5)).toBe(false)
     expect(names(shelf.programs())).toEqual(["new", "old"])
     expect(shelf.read("a")).toBe("x".repeat(60))
+  })
+
+  it("make way for another one when the storage is full, so that deleting works", () => {
+    // Filled to the last letter: deleting makes the list longer.
+    const inner = storage()
+    const shelf = (most: number) => openProgramStore(limited(most, inner), storage())
+    shelf(10_000).save("a", "walk", "move = 1", 1)
+    shelf(10_000).remove("a", 1_700_000_000_000)
+    shelf(10_000).save("b", "turn", "turn = 2", 2)
+    shelf(10_000).setPicture("b", "picture")
+    const used = Array.from({length: inner.length}, (_, n) => inner.getItem(inner.key(n) ?? "") ?? "").join(
+      "",
+    ).length
+    shelf(used).remove("b", 1_700_000_000_001)
+    expect(names(shelf(used).programs())).toEqual([])
+    expect(names(shelf(used).deleted())).toEqual(["turn"])
+    expect(shelf(used).read("b")).toBe("turn = 2")
   })
 })
 
@@ -114,8 +131,7 @@ describe("the learner's own room while a room of a test replaces it", () => {
 })
 
 /// A storage that takes so many letters of values.
-function limited(most: number): Storage {
-  const inner = storage()
+function limited(most: number, inner = storage()): Storage {
   const size = (except: string) =>
     Array.from({length: inner.length}, (_, n) => inner.key(n) ?? "")
       .filter(key => key !== except)

@@ -3,8 +3,8 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {newProject, parseProject, saveProject} from "@rosy/codegen"
 import {describe, expect, it} from "vitest"
-import {qrCodeOf} from "../../src/browser/qr_code.ts"
 import {fragmentOf, programIn} from "../../src/browser/share_link.ts"
+import {qrCodeOf} from "../../src/ui/qr_code.ts"
 
 const examples = new URL("../../../examples/", import.meta.url)
 const projects = readdirSync(examples, {withFileTypes: true})

@@ -9,8 +9,8 @@ import {
   type PlaceInProgram,
   placeOf,
   quoteOf,
-} from "../../src/state/block_comments.ts"
-import {emptyProgram, type Program} from "../../src/state/program.ts"
+} from "../../src/program/block_comments.ts"
+import {emptyProgram, type Program} from "../../src/program/program.ts"
 
 /// Definitions are separated by empty lines; one block covers each of them, and one each number.
 function programOf(text: string): Program {

@@ -1,10 +1,14 @@
 /// What a teacher sends: the messages of both ends, and what the pupil's page shows.
 
 import {expect, test} from "vitest"
-import {readBoardMessage} from "../../src/classroom/board_messages.ts"
-import {readClassMessage, sharedKinds} from "../../src/classroom/class_messages.ts"
-import {firstClassState, reduceClass} from "../../src/classroom/class_state.ts"
-import {roomOf} from "../../src/classroom/hand_in_checks.ts"
+import {readBoardMessage} from "../../src/classroom/messages/board_messages.ts"
+import {roomOf} from "../../src/classroom/messages/hand_in_checks.ts"
+import {firstClassState, reduceClass} from "../../src/classroom/pupil/class_state.ts"
+import {sharedKinds} from "../../src/wire/classroom/message_fields.generated.ts"
+import {pupilAnswer} from "../../src/wire/classroom/pupil_messages.generated.ts"
+import {readerOf} from "../../src/wire/decode.ts"
+
+const readClassMessage = readerOf(pupilAnswer)
 
 test("a program, a room and a lesson are offered, each one once", () => {
   for (const what of sharedKinds) {

@@ -1,11 +1,15 @@
 /// Synchronization of browsers with the class: a service in memory, two browsers, and a network that fails.
 
 import {describe, expect, test} from "vitest"
-import {memoryStorage} from "../../src/browser/memory_storage.ts"
-import {openProgramStore} from "../../src/browser/program_store.ts"
-import type {ClassMessage, ProgramEntry, PupilMessage, SaveFault} from "../../src/classroom/class_messages.ts"
-import {type ClassSync, openClassSync} from "../../src/classroom/class_sync.ts"
-import {readMembership, writeMembership} from "../../src/classroom/membership.ts"
+import {openMemberships} from "../../src/classroom/messages/membership.ts"
+import {type ClassSync, openClassSync, type SaveFault} from "../../src/classroom/pupil/class_sync.ts"
+import {memoryStorage} from "../../src/storage/memory_storage.ts"
+import {openProgramStore} from "../../src/storage/program_store.ts"
+import type {
+  ProgramName,
+  PupilAnswer,
+  PupilRequest,
+} from "../../src/wire/classroom/pupil_messages.generated.ts"
 
 interface Version {
   readonly version: number
@@ -24,13 +28,13 @@ class Service {
   fault: SaveFault | null = null
   marks: string[] = []
 
-  serve(message: PupilMessage): ClassMessage | null {
+  serve(message: PupilRequest): PupilAnswer | null {
     if (message.op === "read") {
       const found = this.programs.get(message.program)
       return found === undefined ? null : {...found, op: "program", program: message.program}
     }
     if (message.op !== "save") return null
-    const {program, name, text, base, mark, unacknowledged} = message
+    const {program, name, text, base, mark, unacknowledged = []} = message
     this.marks.push(mark)
     if (this.fault !== null) return {op: "unsaved", program, mark, reason: this.fault}
     const latest = this.programs.get(program)
@@ -44,7 +48,7 @@ class Service {
     return {op: "saved", program, mark, version: this.version}
   }
 
-  entries(): ProgramEntry[] {
+  entries(): ProgramName[] {
     return [...this.programs]
       .map(([id, {name, version}]) => ({id, name, version, at: 0}))
       .sort((a, b) => b.version - a.version)
@@ -58,6 +62,7 @@ class Service {
 /// A browser with one page. `online` lets requests out, `answered` lets answers in.
 class Browser {
   readonly storage = memoryStorage()
+  readonly memberships = openMemberships(this.storage)
   readonly shelf = openProgramStore(this.storage, memoryStorage())
   readonly sync: ClassSync
   readonly shown: string[] = []
@@ -65,17 +70,18 @@ class Browser {
   answered = true
   open: string | null = null
   private count = 0
-  private answers: (ClassMessage | null)[] = []
+  private answers: (PupilAnswer | null)[] = []
 
-  private readonly service: Service
+  service: Service
   private readonly label: string
 
   constructor(service: Service, label: string) {
     this.service = service
     this.label = label
-    writeMembership(this.storage, {token: "t", nickname: "Ada", programs: {}})
+    this.memberships.setClass("7b")
+    this.memberships.write({token: "t", nickname: "Ada", programs: {}})
     this.sync = openClassSync(
-      this.storage,
+      this.memberships,
       this.shelf,
       {
         id: () => this.open,
@@ -165,7 +171,7 @@ describe("a program in the class", () => {
     browser.save()
     browser.save()
     expect(service.texts()).toEqual(["one"])
-    expect(readMembership(browser.storage)?.programs["p"]?.version).toBe(1)
+    expect(browser.memberships.read()?.programs["p"]?.version).toBe(1)
     expect(browser.sync.state()).toBe("saved")
   })
 
@@ -377,4 +383,55 @@ test("a program is saved when it runs unchanged, not when it is only open", () =
   browser.sync.save("run")
   browser.settle()
   expect(service.texts()).toEqual(["example"])
+})
+
+test("a browser keeps its membership of each class, and each class gets its own programs only", () => {
+  const services = {"7a": new Service(), "7c": new Service()}
+  const browser = new Browser(services["7a"], "a")
+  browser.shelf.hide(browser.memberships.isForeign)
+  const meets = (id: "7a" | "7c") => {
+    browser.disconnects()
+    browser.sync.left()
+    browser.memberships.setClass(id)
+    browser.service = services[id]
+    browser.open = null
+    if (browser.memberships.read() === null)
+      browser.memberships.write({token: id, nickname: "Ada", programs: {}})
+    browser.enters(true)
+  }
+  meets("7a")
+  browser.write("of 7a")
+  browser.save()
+  // Written when the class has ended: it belongs to that class all the same.
+  browser.disconnects()
+  browser.open = "late"
+  browser.write("late in 7a")
+  meets("7c")
+  expect(browser.shelf.programs()).toEqual([])
+  browser.open = "other"
+  browser.write("of 7c")
+  browser.save()
+  expect(services["7c"].texts()).toEqual(["of 7c"])
+  meets("7a")
+  expect(browser.memberships.read()?.token).toBe("7a")
+  expect(browser.texts()).toEqual(["late in 7a", "of 7a"])
+  expect(services["7a"].texts()).toEqual(["late in 7a", "of 7a"])
+  meets("7c")
+  expect(browser.memberships.read()?.token).toBe("7c")
+  expect(browser.texts()).toEqual(["of 7c"])
+  // The page opens the pupil's newest program of the class, which is in this browser already.
+  expect([browser.open, browser.page]).toEqual(["other", "of 7c"])
+})
+
+test("an example that is handed in without a change is among the pupil's programs; one that is only open is not", () => {
+  const service = new Service()
+  const tablet = new Browser(service, "tablet")
+  tablet.enters()
+  tablet.page = "main = simulate (Velocity 1 0)"
+  tablet.save()
+  expect(service.texts()).toEqual([])
+  tablet.sync.saveOpened("change")
+  tablet.settle()
+  expect(service.texts()).toEqual(["main = simulate (Velocity 1 0)"])
+  expect(tablet.sync.state()).toBe("saved")
 })

@@ -1,9 +1,8 @@
 /// Tasks on a pupil's page and on the board: messages, what the bar shows, deadlines.
 
 import {expect, test} from "vitest"
-import {readBoardMessage} from "../../src/classroom/board_messages.ts"
-import {secondsOf} from "../../src/classroom/board_tasks.tsx"
-import {type OwnTask, readClassMessage} from "../../src/classroom/class_messages.ts"
+import {secondsOf} from "../../src/classroom/board/board_tasks.tsx"
+import {readBoardMessage} from "../../src/classroom/messages/board_messages.ts"
 import {
   type ClassEvent,
   type ClassState,
@@ -11,7 +10,12 @@ import {
   firstClassState,
   reduceClass,
   shownTasks,
-} from "../../src/classroom/class_state.ts"
+} from "../../src/classroom/pupil/class_state.ts"
+import type {OwnTask} from "../../src/wire/classroom/pupil_messages.generated.ts"
+import {pupilAnswer} from "../../src/wire/classroom/pupil_messages.generated.ts"
+import {readerOf} from "../../src/wire/decode.ts"
+
+const readClassMessage = readerOf(pupilAnswer)
 
 const open: OwnTask = {id: 2, title: "Pits", open: true, deadline: null, left: null, handedIn: null}
 const commented: OwnTask = {
@@ -34,7 +38,7 @@ test("the messages about tasks are read", () => {
   })
   const late = {op: "not-handed-in", task: 1, reason: "late"}
   expect(readClassMessage(JSON.stringify(late))).toEqual({kind: "ok", value: late})
-  const handedIn = {pupil: 3, at: 5, name: "walk", comment: "", alike: [4]}
+  const handedIn = {pupil: 3, at: 5, name: "walk", comment: "", alike: [4], lesson: "bump"}
   const task = {id: 1, title: "Maze", opened: 1, deadline: null, open: false, checked: true}
   expect(readBoardMessage(JSON.stringify({op: "tasks", tasks: [{...task, handed_in: [handedIn]}]}))).toEqual({
     kind: "ok",

@@ -1,20 +1,20 @@
 /// What comes from the teacher on a pupil's page, over losses of the connection: something sent, and "eyes up". And the invitation of the projector.
 
 import {expect, test} from "vitest"
-import type {Handout} from "../../src/classroom/class_messages.ts"
+import {readProjectorMessage} from "../../src/classroom/messages/projector_messages.ts"
 import {
   type ClassEvent,
   type ClassState,
   firstClassState,
   reduceClass,
-} from "../../src/classroom/class_state.ts"
-import {readProjectorMessage} from "../../src/classroom/projector_messages.ts"
+} from "../../src/classroom/pupil/class_state.ts"
+import type {Handout} from "../../src/wire/classroom/pupil_messages.generated.ts"
 
-const lesson: Handout = {id: "h1", what: "lesson", name: "Bump!", text: "bump"}
+const lesson: Handout = {op: "handout", id: "h1", what: "lesson", name: "Bump!", text: "bump"}
 
 const after = (...events: ClassEvent[]): ClassState =>
   events.reduce((state, event) => reduceClass(state, event), firstClassState)
-const sent = (handout: Handout): ClassEvent => ({kind: "heard", message: {op: "handout", ...handout}})
+const sent = (handout: Handout): ClassEvent => ({kind: "heard", message: handout})
 const later: ClassEvent = {kind: "handout-folded", folded: true}
 
 test("what a pupil does not open now stays, also when it comes again after a reconnection", () => {

@@ -1,17 +1,19 @@
 /// Checks of all hand-ins: the request, the messages, the order of the results, and the project that a tab opens.
 
 import {expect, test} from "vitest"
-import {readBoardMessage} from "../../src/classroom/board_messages.ts"
+import {readBoardMessage} from "../../src/classroom/messages/board_messages.ts"
 import {
   type CheckResult,
   checkRequest,
   firstCheck,
+  firstWhere,
   projectInRoom,
   uncheckedCount,
+  unmetIn,
   withRooms,
   worstFirst,
-} from "../../src/classroom/hand_in_checks.ts"
-import type {TestedRoom} from "../../src/rooms/room_test.ts"
+} from "../../src/classroom/messages/hand_in_checks.ts"
+import type {TestedRoom} from "../../src/jobs/room_test.ts"
 
 const world = {name: "small", size: [2, 2], start: {x: 1, y: 1, theta: 0}}
 const worst = {
@@ -47,6 +49,25 @@ test("the room of a program of the teacher's is sent, a room of the gallery by i
     expect(request(text)).toMatchObject({world: "room"})
 })
 
+test("a check begins with the lesson when all was made in lessons, which has properties of its own", () => {
+  const table: readonly [readonly string[], string][] = [
+    [[], "own"],
+    [["bump"], "lesson"],
+    [["bump", "chance"], "lesson"],
+    [["bump", ""], "own"],
+  ]
+  for (const [lessons, where] of table) expect(firstWhere(lessons.map(lesson => ({lesson})))).toBe(where)
+  expect(checkRequest(4, {...firstCheck, where: "lesson", properties: []}, () => null)).toMatchObject({
+    family: "lesson",
+    properties: "",
+  })
+})
+
+test("the checks of a lesson that did not pass are named in the teacher's language, or in English", () => {
+  const result = {...outcome(0, 0), unmet: [{en: "In the ring", de: "Im Ring"}, {en: "Fast"}]}
+  expect(unmetIn(result, "de")).toEqual(["Im Ring", "Fast"])
+})
+
 test("hand-ins that a check left out are counted when it has ended", () => {
   const task = {handedIn: [{pupil: 1}, {pupil: 2}, {pupil: 3}], checked: true}
   const none = {number: 0, task: null, done: 0, of: 0, rooms: 0}
@@ -62,7 +83,8 @@ test("the messages about a check are read", () => {
   const read = (message: object) => readBoardMessage(JSON.stringify(message))
   const checking = {op: "checking", number: 2, task: null, done: 0, of: 0, rooms: 0}
   expect(read(checking)).toMatchObject({kind: "ok", value: {op: "checking", task: null}})
-  const result = {checked: 1, rooms: 5, passed: 2, fault: null, problems: [], worst}
+  const asked = {family: "maze", seed: 1, seconds: 60, properties: ""}
+  const result = {...asked, checked: 1, rooms: 5, passed: 2, fault: null, problems: [], worst, unmet: []}
   const shown = read({op: "result", task: 1, pupil: 3, result})
   expect(shown).toMatchObject({kind: "ok", value: {pupil: 3, result: {passed: 2, worst: {room: 3, seed: 7}}}})
   expect(read({op: "result", task: 1, pupil: 3, result: null})).toMatchObject({value: {result: null}})
@@ -87,7 +109,8 @@ test("the messages about a check are read", () => {
 
 const outcome = (passed: number, time: number, fault: CheckResult["fault"] = null): CheckResult => {
   const tested = {...worst, time, passed: passed === 5} as unknown as TestedRoom
-  return {checked: 1, rooms: 5, passed, fault, problems: [], worst: fault === null ? tested : null, tried: []}
+  const worstRoom = fault === null ? tested : null
+  return {checked: 1, rooms: 5, passed, fault, problems: [], worst: worstRoom, unmet: [], tried: []}
 }
 
 test("the rooms of a result come in several messages, also twice", () => {

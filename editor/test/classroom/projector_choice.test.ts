@@ -1,7 +1,7 @@
 /// What a board shows of the projector while its requests and the news of earlier choices are under way.
 
 import {expect, test} from "vitest"
-import {choiceHeard, lookAt, type ProjectorChoice} from "../../src/classroom/projector_choice.ts"
+import {choiceHeard, lookAt, type ProjectorChoice} from "../../src/classroom/messages/projector_choice.ts"
 
 const nothing: ProjectorChoice = {
   projecting: null,

@@ -1,8 +1,9 @@
 /// Completion requests: one answer in time, one that comes late, and one that nothing waits for any longer.
 
 import {afterEach, beforeEach, expect, it, vi} from "vitest"
-import {openCompletions, patience} from "../../src/controller/completion_requests.ts"
-import type {PageMessage, Suggestion} from "../../src/state/messages.ts"
+import {openCompletions, patience} from "../../src/controller/document/completion_requests.ts"
+import type {Request} from "../../src/wire/page/page.generated.ts"
+import type {Suggestion} from "../../src/wire/worker.generated.ts"
 
 beforeEach(() => void vi.useFakeTimers())
 afterEach(() => void vi.useRealTimers())
@@ -11,7 +12,7 @@ const orange: readonly Suggestion[] = [{name: "Orange", type: "LedColor", takes:
 
 function opened() {
   const sent: number[] = []
-  const completions = openCompletions((message: PageMessage) => {
+  const completions = openCompletions((message: Request) => {
     if (message.op === "complete") sent.push(message.id)
   })
   const answers = (id: number) => completions.heard({op: "completed", id, names: [...orange]} as never)

@@ -1,8 +1,8 @@
 /// When the blocks follow an edit of the text: after the frame that shows it, and after the path where one is on its way.
 
 import {afterEach, beforeEach, expect, test, vi} from "vitest"
-import {openEditDebounce} from "../../src/controller/edit_debounce.ts"
-import {ChangeSet} from "../../src/state/text_changes.ts"
+import {openEditDebounce} from "../../src/controller/document/edit_debounce.ts"
+import {ChangeSet} from "../../src/program/text_changes.ts"
 
 const frame = 16
 

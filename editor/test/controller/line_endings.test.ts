@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import {normalizeLineEndings, withLineEndingsOf} from "../../src/controller/line_endings.ts"
+import {normalizeLineEndings, withLineEndingsOf} from "../../src/controller/document/line_endings.ts"
 
 const line = fc.string({unit: fc.constantFrom("a", "=", " ", "x"), maxLength: 4})
 const file = fc

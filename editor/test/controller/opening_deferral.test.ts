@@ -2,7 +2,7 @@
 
 import type {Reader} from "@rosy/codegen/reader"
 import {expect, test} from "vitest"
-import {deferOpening} from "../../src/controller/opening_deferral.ts"
+import {deferOpening} from "../../src/controller/programs/opening_deferral.ts"
 
 const reader = {} as Reader
 

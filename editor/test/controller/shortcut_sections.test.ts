@@ -2,9 +2,9 @@
 
 import {expect, test} from "vitest"
 import {pageKeys} from "../../src/browser/browser_window.ts"
-import {roomKeys} from "../../src/room/gestures.ts"
-import {worldKeys} from "../../src/room/world_editor_shortcuts.ts"
-import {textKeys} from "../../src/source/shortcuts.ts"
+import {worldKeys} from "../../src/views/room/editor/world_editor_shortcuts.ts"
+import {roomKeys} from "../../src/views/room/gestures.ts"
+import {textKeys} from "../../src/views/source/shortcuts.ts"
 import {german} from "../../src/words/de/index.ts"
 import {en} from "../../src/words/en/index.ts"
 import {spanish} from "../../src/words/es/index.ts"

@@ -4,9 +4,9 @@ import {readFileSync} from "node:fs"
 import {createRequire} from "node:module"
 import {openReader, type Reader} from "@rosy/codegen/reader"
 import {beforeAll, describe, expect, it} from "vitest"
-import {readHaskell} from "../../src/controller/document_conversion.ts"
-import {renameSymbol} from "../../src/controller/symbol_rename.ts"
-import {applyChanges} from "../../src/state/text_changes.ts"
+import {readHaskell} from "../../src/controller/document/document_conversion.ts"
+import {renameSymbol} from "../../src/controller/document/symbol_rename.ts"
+import {applyChanges} from "../../src/program/text_changes.ts"
 
 const {resolve} = createRequire(import.meta.url)
 let reader: Reader

@@ -12,10 +12,17 @@ import {
   withBlocks,
   withText,
   writeProject,
-} from "../../src/controller/document_conversion.ts"
-import {parseHistory, serializeHistory} from "../../src/controller/undo_storage.ts"
-import {type Document, emptyHistory, type History, recordChange, redo, undo} from "../../src/state/history.ts"
-import {ChangeSet} from "../../src/state/text_changes.ts"
+} from "../../src/controller/document/document_conversion.ts"
+import {parseHistory, serializeHistory} from "../../src/controller/document/undo_storage.ts"
+import {
+  type Document,
+  emptyHistory,
+  type History,
+  recordChange,
+  redo,
+  undo,
+} from "../../src/program/history.ts"
+import {ChangeSet} from "../../src/program/text_changes.ts"
 
 const {resolve} = createRequire(import.meta.url)
 const open = () =>

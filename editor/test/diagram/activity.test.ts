@@ -1,8 +1,18 @@
 /// What lights up and what edges carry while a program runs.
 
+import {robot} from "@rosy/codegen/robot"
+import {heldCommands, odometry, states} from "@rosy/codegen/roles"
 import {describe, expect, it} from "vitest"
-import {appearanceOf, isFading, lightMs, noActivity, observe} from "../../src/diagram/activity.ts"
-import type {Frame} from "../../src/state/messages.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import {
+  appearanceOf,
+  isFading,
+  lightMs,
+  noActivity,
+  observe,
+} from "../../src/views/diagram/network/activity.ts"
+import type {DiagramNode, Network, NodeKind} from "../../src/views/diagram/network/network.ts"
+import {type Leaf, leafKind} from "../../src/views/diagram/network/type_roles.ts"
 import {readGraph} from "./graphs.ts"
 
 const frame = (step: number, more: Partial<Frame> = {}): Frame => ({
@@ -63,6 +73,44 @@ describe("what happens in the diagram", () => {
     const {atNodes} = appearanceOf(walker, activity, 0, rate)
     expect(atNodes.get("command:Led1")).toBe("Orange")
     expect(atNodes.has("command:Velocity")).toBe(false)
+  })
+
+  /// A value of each leaf of a channel, as frames have it: the last code of a choice, or a number; and the text that is shown.
+  function sample(channel: string): {content: number[]; text: string} {
+    const codes = (robot.codes as {[channel: string]: readonly {[code: string]: string}[]})[channel]
+    if (codes === undefined) return {content: [1.25], text: "1.25"}
+    const chosen = codes.map(names => Object.entries(names).at(-1) ?? ["7", "7"])
+    return {content: chosen.map(([code]) => Number(code)), text: chosen.map(([, name]) => name).join(" ")}
+  }
+  const only = (kind: NodeKind, key: string): Network => ({
+    nodes: [{...(walker.nodes[0] as DiagramNode), id: "one", kind, key, topic: null}],
+    edges: [],
+  })
+  const measured = [...states].filter(state => state === "Velocity" || !odometry.has(state))
+
+  it.each([...states])("takes %s as a state", state => {
+    expect(leafKind({kind: "type", spelled: state, own: false, topic: null} as Leaf, "input")).toBe("state")
+  })
+
+  it.each(measured)("shows the value of the state %s, choices by their names", state => {
+    const {content, text} = sample(state)
+    const activity = observe(noActivity, [frame(1, {channels: {[state]: content}})], 0)
+    expect(appearanceOf(only("state", state), activity, 0, rate).atNodes.get("one")).toBe(text)
+  })
+
+  it.each([...heldCommands].filter(command => !states.has(command)))(
+    "shows what %s was last sent",
+    command => {
+      const {content, text} = sample(command)
+      const activity = observe(noActivity, [frame(1, {channels: {[command]: content}})], 0)
+      expect(appearanceOf(only("command", command), activity, 0, rate).atNodes.get("one")).toBe(text)
+    },
+  )
+
+  it("shows each output of a command that has several", () => {
+    const activity = observe(noActivity, [frame(1, {channels: {ExternalPower: [1, 0, 1, 1]}})], 0)
+    const {atNodes} = appearanceOf(only("command", "ExternalPower"), activity, 0, rate)
+    expect(atNodes.get("one")).toBe("PowerOn PowerOff PowerOn PowerOn")
   })
 
   it("lights the task at work, with all that is around it", () => {

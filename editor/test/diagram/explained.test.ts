@@ -1,11 +1,11 @@
 /// What an answer marks in the diagram.
 
 import {describe, expect, it} from "vitest"
-import {explained} from "../../src/diagram/explained.ts"
-import {nextInList} from "../../src/diagram/list_navigation.ts"
-import {outline} from "../../src/diagram/outline.ts"
-import {causalPath} from "../../src/why/causal_path.ts"
-import {explanation} from "../../src/why/explanation.ts"
+import {nextInList} from "../../src/views/diagram/list_navigation.ts"
+import {causalPath} from "../../src/views/diagram/network/causal_path.ts"
+import {explained} from "../../src/views/diagram/network/explained.ts"
+import {outline} from "../../src/views/diagram/network/outline.ts"
+import {because} from "../../src/wire/page/explanations.generated.ts"
 import {words} from "../../src/words/index.ts"
 import {readGraph} from "./graphs.ts"
 
@@ -13,8 +13,9 @@ describe("the path of an answer in the diagram", () => {
   it("goes from the bumper through the memory to the velocity", () => {
     const network = readGraph("forwardBackward")
     const path = causalPath(
-      explanation(
+      because(
         {
+          op: "because",
           id: 1,
           time: 3.5,
           sentences: [],
@@ -82,7 +83,7 @@ describe("the path of an answer in the diagram", () => {
     const network = readGraph("forwardBackward")
     const {marked, lines} = explained(
       network,
-      causalPath(explanation({id: 1, time: 0, sentences: [], path: []}, "")),
+      causalPath(because({op: "because", id: 1, time: 0, sentences: [], path: []}, "")),
     )
     expect([...marked, ...lines]).toEqual([])
   })

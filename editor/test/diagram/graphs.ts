@@ -2,10 +2,10 @@
 
 import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {join} from "node:path"
-import type {Network} from "../../src/diagram/network.ts"
-import {networkOf} from "../../src/diagram/network_builder.ts"
-import {decode} from "../../src/state/decode.ts"
-import {type Extent, type ProgramPart, programParts} from "../../src/state/program_graph.ts"
+import {type Extent, type ProgramPart, programParts} from "../../src/program/program_graph.ts"
+import type {Network} from "../../src/views/diagram/network/network.ts"
+import {networkOf} from "../../src/views/diagram/network/network_builder.ts"
+import {decode} from "../../src/wire/decode.ts"
 
 const root = join(import.meta.dirname, "../../..")
 const goldens = join(root, "protocol/goldens/graphs")

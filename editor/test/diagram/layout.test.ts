@@ -1,22 +1,19 @@
 /// Layouts by the real engine: no two nodes overlap, what is inside of a container is drawn inside, and an edit moves nothing that it does not change.
-/// `./rosy test` lays out four of five hundred random programs, from a seed that changes daily, and `./rosy test nightly` all of them.
 
 import ELK, {type ElkNode} from "elkjs/lib/elk.bundled.js"
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {type Box, overlaps} from "../../src/diagram/geometry.ts"
-import {type ElkGraph, type Engine, type Layout, layOut} from "../../src/diagram/layout.ts"
-import {isContainer, type Network} from "../../src/diagram/network.ts"
-import {networkOf} from "../../src/diagram/network_builder.ts"
+import {cases, seed} from "../../../codegen/test/extent.ts"
+import {type Box, overlaps} from "../../src/views/diagram/layout/geometry.ts"
+import {type ElkGraph, type Engine, type Layout, layOut} from "../../src/views/diagram/layout/layout.ts"
+import {isContainer, type Network} from "../../src/views/diagram/network/network.ts"
+import {networkOf} from "../../src/views/diagram/network/network_builder.ts"
 import {graphNames, readGraph} from "./graphs.ts"
 import {anyFunction, anyProgram} from "./random_programs.ts"
 
 const elk = new ELK()
 const engine: Engine = graph => elk.layout(structuredClone(graph) as ElkNode) as Promise<ElkGraph>
 
-const share = Number(process.env.ROSY_TEST_SHARE ?? 0.1)
-const seed = Number(process.env.ROSY_TEST_SEED ?? 1)
-const runs = (all: number) => ({numRuns: share >= 1 ? all : Math.ceil(all * share * 0.08), seed})
 const network = (parts: Parameters<typeof networkOf>[0]) => networkOf(parts, () => "")
 
 function expectSound({nodes}: Network, {boxes, width, height}: Layout): void {
@@ -81,7 +78,7 @@ describe("the layout", () => {
         // Nothing has changed: nothing moves.
         expect(await layOut(after, second, engine)).toEqual(second)
       }),
-      runs(500),
+      {numRuns: cases(10), seed},
     )
   })
 

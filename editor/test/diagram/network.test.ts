@@ -3,11 +3,11 @@
 
 import {join} from "node:path"
 import {describe, expect, it} from "vitest"
-import {firstFolds, fold} from "../../src/diagram/network.ts"
-import {networkOf} from "../../src/diagram/network_builder.ts"
-import {outlineText} from "../../src/diagram/outline.ts"
-import {decode} from "../../src/state/decode.ts"
-import {programParts} from "../../src/state/program_graph.ts"
+import {programParts} from "../../src/program/program_graph.ts"
+import {firstFolds, fold} from "../../src/views/diagram/network/network.ts"
+import {networkOf} from "../../src/views/diagram/network/network_builder.ts"
+import {outlineText} from "../../src/views/diagram/network/outline.ts"
+import {decode} from "../../src/wire/decode.ts"
 import {diagram} from "../../src/words/en/diagram.ts"
 import {graphNames, readGraph} from "./graphs.ts"
 

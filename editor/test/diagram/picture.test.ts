@@ -1,8 +1,8 @@
 /// What the files of the diagram need: colours that every program knows, and the fonts of the characters in it.
 
 import {describe, expect, it} from "vitest"
-import {covers} from "../../src/diagram/font_faces.ts"
-import {plainColour} from "../../src/diagram/picture.ts"
+import {covers} from "../../src/views/diagram/drawing/font_faces.ts"
+import {plainColour} from "../../src/views/diagram/drawing/picture.ts"
 
 describe("a colour in a file", () => {
   it.each([

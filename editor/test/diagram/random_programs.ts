@@ -1,7 +1,7 @@
 /// Random programs as the compiler would report them, and edits of one function.
 
 import fc from "fast-check"
-import type {ProgramPart, TypeShape} from "../../src/state/program_graph.ts"
+import type {ProgramPart, TypeShape} from "../../src/program/program_graph.ts"
 
 const leaf = (spelled: string, own = false): TypeShape => ({
   kind: "type",

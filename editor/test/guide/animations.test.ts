@@ -4,7 +4,7 @@
 import {readFileSync, writeFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
-import {paletteOf} from "../../src/room/palette.ts"
+import {paletteOf} from "../../src/views/room/palette.ts"
 import {animatedRoom} from "./animation/animated_room.ts"
 import {readRecording} from "./animation/recording.ts"
 

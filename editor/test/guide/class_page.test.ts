@@ -16,12 +16,12 @@ const part = "10:42"
 /// Spaces that do not break and typographic apostrophes make no other name.
 const plain = (text: string) => text.replaceAll(/[\u00A0\u202F]/g, " ").replaceAll("’", "'")
 
-/// None when the part is a time in seconds, which is written by the browser.
+/// None when the part is a time in seconds, which is written by the browser, or has parts of its own.
 function sentenceOf(words: (part: unknown) => unknown): readonly string[] {
   try {
     return [String(words(part))]
   } catch (fault) {
-    if (fault instanceof RangeError) return []
+    if (fault instanceof RangeError || fault instanceof TypeError) return []
     throw fault
   }
 }

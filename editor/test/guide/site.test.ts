@@ -93,7 +93,7 @@ describe.each(translations(root))("in %s", language => {
   const translated = site.chapters
     .flatMap(chapter => chapter.pages)
     .filter(page => isTranslated(root, page.file, language))
-  const textOf = (file: string) => readFileSync(join(root, file), "utf8")
+  const {textOf} = site
 
   test.each(translated)("$name has the programs, pictures and anchors of the English page", ({file}) => {
     for (const pattern of [/^```haskell[\s\S]*?^```$/gm, /!\[[^\]]*\]\(([^)]*)\)/g, /<a id="[^"]*">/g]) {

@@ -4,9 +4,9 @@ import {readFileSync} from "node:fs"
 import {toolbox} from "@rosy/codegen"
 import {Ajv2020} from "ajv/dist/2020.js"
 import {describe, expect, test} from "vitest"
-import {offeredItems, withItem} from "../../src/lesson_editor/block_choice.ts"
-import {patternOf, readPattern, writePattern} from "../../src/lesson_editor/channel_pattern.ts"
-import {initialArguments, specsOf} from "../../src/lesson_editor/check_arguments.ts"
+import {offeredItems, withItem} from "../../src/features/lesson_editor/block_choice.ts"
+import {patternOf, readPattern, writePattern} from "../../src/features/lesson_editor/channel_pattern.ts"
+import {initialArguments, specsOf} from "../../src/lesson_files/check_arguments.ts"
 import {
   type DraftEdit,
   type DraftStep,
@@ -15,12 +15,12 @@ import {
   newDraft,
   withCheck,
   withHint,
-} from "../../src/lesson_editor/draft.ts"
-import {lessonText, readDraft} from "../../src/lesson_editor/draft_file.ts"
-import {mistakesOf} from "../../src/lesson_editor/draft_mistakes.ts"
-import {mergeDrafts, readDrafts, writeDrafts} from "../../src/lesson_editor/draft_storage.ts"
-import {checkKinds, readLessonFile} from "../../src/lessons/lesson_file.ts"
-import {editedDraft, noLessons, reduceLesson} from "../../src/lessons/lesson_state.ts"
+} from "../../src/lesson_files/draft.ts"
+import {lessonText, readDraft} from "../../src/lesson_files/draft_file.ts"
+import {mistakesOf} from "../../src/lesson_files/draft_mistakes.ts"
+import {mergeDrafts, readDrafts, writeDrafts} from "../../src/lesson_files/draft_storage.ts"
+import {checkKinds, readLessonFile} from "../../src/lesson_files/lesson_file.ts"
+import {editedDraft, noLessons, reduceLesson} from "../../src/state/lesson_state.ts"
 
 const schema = new URL("../../../protocol/lesson-document.schema.json", import.meta.url)
 const isValid = new Ajv2020({strict: false}).compile(JSON.parse(readFileSync(schema, "utf8")))

@@ -2,8 +2,6 @@
 
 import {readdirSync, readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
-import {initialArguments} from "../../src/lesson_editor/check_arguments.ts"
-import {editDraft, type LessonDraft, newDraft, withCheck} from "../../src/lesson_editor/draft.ts"
 import {
   findingsOf,
   heard,
@@ -12,7 +10,9 @@ import {
   type Rehearsal,
   readAnswer,
   rehearsalOf,
-} from "../../src/lesson_editor/rehearsal.ts"
+} from "../../src/jobs/rehearsal.ts"
+import {initialArguments} from "../../src/lesson_files/check_arguments.ts"
+import {editDraft, type LessonDraft, newDraft, withCheck} from "../../src/lesson_files/draft.ts"
 
 const room = {name: "room", size: [6, 4], start: {x: 1, y: 2}}
 const begun = newDraft("lesson-1", "en", room, "main = simulate (Velocity 0.1 0)\n")
@@ -44,7 +44,8 @@ const missed = {
   passed: false,
   checks: [{id: "check-1", state: "missed", seen: {what: "drove", number: 0.5}}],
 }
-const refused = {passed: false, ended: "refused", checks: [], problems: [{message: "No.", hint: ""}]}
+const problem = {severity: "error", kind: "syntax", message: "No.", hint: "", ghc: ""}
+const refused = {passed: false, ended: "refused", checks: [], problems: [problem]}
 
 describe("the rehearsal of a draft", () => {
   test("asks for the solution at the last step that is run, and for each wrong attempt", () => {

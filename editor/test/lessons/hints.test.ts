@@ -1,14 +1,16 @@
 /// Hints: about the check that the last run missed, nothing that is done already, and functions that nothing uses.
 
 import {describe, expect, test} from "vitest"
-import {hintedChecks, hintsOf, isInProgram, unusedFunctions} from "../../src/lessons/hints.ts"
-import type {Check, LessonChecks, LessonVerdict} from "../../src/lessons/lesson.ts"
+import {hintedChecks, hintsOf, isInProgram, unusedFunctions} from "../../src/features/lessons/hints.ts"
+import type {Check} from "../../src/lesson_files/lesson.ts"
+import type {LessonChecks} from "../../src/state/messages/messages.ts"
+import type {Verdict} from "../../src/wire/verdict.generated.ts"
 
 const checks: readonly Check[] = [
   {id: "takes", text: "It takes a `Cliff`", hints: ["Which function?", "", "cliff :: Cliff -> Stop"]},
   {id: "stays", text: "It stays up", hints: ["Is it fast?", "Look at go."]},
 ]
-const told = (run: number | null, ...states: readonly LessonVerdict["state"][]): LessonChecks => ({
+const told = (run: number | null, ...states: readonly Verdict["state"][]): LessonChecks => ({
   run,
   passed: false,
   over: true,
@@ -57,7 +59,7 @@ describe("a type that the check needs", () => {
     {kind: "at", id: "there", time: 5, goal: 0},
     "no check",
   ])
-  const hint = (state: LessonVerdict["state"], own: string, types: readonly string[] = []) =>
+  const hint = (state: Verdict["state"], own: string, types: readonly string[] = []) =>
     texts(
       hintsOf(
         checks,

@@ -3,7 +3,9 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {toolbox} from "@rosy/codegen"
 import {describe, expect, test} from "vitest"
-import {type Lesson, type LessonChecks, lessonDecoder} from "../../src/lessons/lesson.ts"
+import {type Lesson, lessonDecoder} from "../../src/lesson_files/lesson.ts"
+import {isFinished, readProgress, writeProgress} from "../../src/lesson_files/progress.ts"
+import {toolboxOf, wordsOf} from "../../src/lesson_files/toolbox_words.ts"
 import {
   firstOpenStep,
   isDone,
@@ -14,10 +16,9 @@ import {
   programAt,
   reduceLesson,
   watchedNow,
-} from "../../src/lessons/lesson_state.ts"
-import {isFinished, readProgress, writeProgress} from "../../src/lessons/progress.ts"
-import {toolboxOf, wordsOf} from "../../src/lessons/toolbox_words.ts"
-import {decode} from "../../src/state/decode.ts"
+} from "../../src/state/lesson_state.ts"
+import type {LessonChecks} from "../../src/state/messages/messages.ts"
+import {decode} from "../../src/wire/decode.ts"
 
 const step = (id: string, kind: string, more: object = {}) => ({id, kind, ...more})
 const file = {

@@ -5,7 +5,7 @@ import {createRequire} from "node:module"
 import {type SavedBlock, toolbox} from "@rosy/codegen"
 import {openReader, openView, type Reader} from "@rosy/codegen/reader"
 import {beforeAll, expect, test} from "vitest"
-import {toolboxOf, wordsOf} from "../../src/lessons/toolbox_words.ts"
+import {toolboxOf, wordsOf} from "../../src/lesson_files/toolbox_words.ts"
 
 interface LessonFile {
   readonly number: number

@@ -3,7 +3,7 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
 import {fragmentOf, programIn} from "../../src/browser/share_link.ts"
-import {isLessonFile, readLessonFile} from "../../src/lessons/lesson_file.ts"
+import {isLessonFile, readLessonFile} from "../../src/lesson_files/lesson_file.ts"
 
 const question = {id: "look", kind: "investigate", answers: ["a", "b"], right: "a"}
 const made = {id: "go", kind: "make", seconds: 5, checks: [{kind: "moves", id: "far", metres: 1}]}

@@ -4,13 +4,13 @@ import {readFileSync} from "node:fs"
 import {createRequire} from "node:module"
 import {openReader, type Reader} from "@rosy/codegen/reader"
 import {beforeAll, expect, it} from "vitest"
-import {readHaskell} from "../../src/controller/document_conversion.ts"
+import {readHaskell} from "../../src/controller/document/document_conversion.ts"
 import {conflictFixes} from "../../src/page/conflict_fixes.ts"
 import {allFindings} from "../../src/page/panels/problems.tsx"
+import {fixChanges} from "../../src/program/program.ts"
+import {applyChanges} from "../../src/program/text_changes.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {fixChanges} from "../../src/state/program.ts"
-import {reduce} from "../../src/state/reducer.ts"
-import {applyChanges} from "../../src/state/text_changes.ts"
 
 const {resolve} = createRequire(import.meta.url)
 let reader: Reader
@@ -48,11 +48,7 @@ it.each([
   expect(others).toEqual([])
   expect(card).toMatchObject({kind: "conflict", severity: "warning"})
   const fixes = conflictFixes(state.document, card!)
-  expect(fixes.map(fix => fix.title)).toEqual([
-    "Remember it with Memory",
-    "One function with Either",
-    "Let backOff go first for a second (mux)",
-  ])
+  expect(fixes.map(fix => fix.title)).toEqual(["Let backOff go first, for 1 s"])
   for (const fix of fixes) {
     const {text} = state.document.program
     const after = applyChanges(text, fixChanges(fix, text.length))

@@ -1,10 +1,10 @@
 /// Which problems are told when both the blocks and the compiler have found some.
 
 import {expect, it} from "vitest"
-import {blockProblem} from "../../src/controller/document_conversion.ts"
+import {blockProblem} from "../../src/controller/document/document_conversion.ts"
 import {allFindings, problemCount} from "../../src/page/panels/problems.tsx"
+import type {Finding} from "../../src/program/program.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import type {Finding} from "../../src/state/program.ts"
 import {finding} from "../state/finding.ts"
 
 const from = (who: "blocks" | "compiler", more: Partial<Finding>) =>

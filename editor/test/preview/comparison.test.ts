@@ -1,12 +1,12 @@
 /// What the page says about a preview: where the robot would be, how often it would touch something, which goals it would reach.
 
 import {describe, expect, it} from "vitest"
-import {compare} from "../../src/preview/comparison.ts"
-import type {Preview} from "../../src/preview/preview.ts"
-import {previewSentence} from "../../src/preview/sentence.ts"
-import type {Frame} from "../../src/state/messages.ts"
-import {record} from "../../src/state/recording.ts"
-import {emptyRoom, type RoomState} from "../../src/state/room_state.ts"
+import {compare} from "../../src/features/preview/comparison.ts"
+import {previewSentence} from "../../src/features/preview/sentence.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import type {Preview} from "../../src/state/messages/preview.ts"
+import {record} from "../../src/state/runs/recording.ts"
+import {emptyRoom, type RoomState} from "../../src/state/runs/room_state.ts"
 import {german} from "../../src/words/de/index.ts"
 import {spanish} from "../../src/words/es/index.ts"
 import {french} from "../../src/words/fr/index.ts"

@@ -1,10 +1,10 @@
 /// One undo step for each drag of a number, however long it lasts.
 
 import {expect, it} from "vitest"
-import {type Document, emptyDocument} from "../../src/state/history.ts"
+import {type Document, emptyDocument} from "../../src/program/history.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 
 const documentOf = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})
 const change = (text: string, at: number): PageEvent => ({

@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {inText, numberAt, stepOf, withSteps} from "../../src/preview/number_steps.ts"
+import {inText, numberAt, stepOf, stepsOfWay, withSteps} from "../../src/browser/number_steps.ts"
 
 describe("the number at a place", () => {
   it.each([
@@ -30,22 +30,27 @@ describe("the number at a place", () => {
 
 describe("a step", () => {
   it.each([
-    ["0.5", 0.01],
-    ["0.05", 0.001],
-    ["0.0", 0.1],
-    ["12.5", 0.1],
+    ["0.5", 0.05],
+    ["0.1", 0.05],
+    ["0.05", 0.005],
+    ["0.0005", 0.001],
+    ["0.0", 0.05],
+    ["12.5", 0.05],
     ["3", 1],
-    ["50", 1],
-    ["500", 10],
+    ["130", 1],
+    ["500", 1],
     ["0", 1],
   ] as const)("of %s is %d", (literal, step) => expect(stepOf(literal)).toBeCloseTo(step, 9))
   it.each([
-    ["0.5", 1, "0.51"],
-    ["0.5", -60, "-0.1"],
-    ["0.5", -50, "0.0"],
-    ["-0.25", 10, "-0.15"],
+    ["0.5", 1, "0.55"],
+    ["0.5", 2, "0.6"],
+    ["0.5", -12, "-0.1"],
+    ["0.5", -10, "0.0"],
+    ["-0.25", 2, "-0.15"],
+    ["0.05", 1, "0.055"],
     ["3", -5, "-2"],
     ["50", 7, "57"],
+    ["130", -7, "123"],
   ] as const)("%s and %i steps are %s", (literal, steps, next) =>
     expect(withSteps(literal, steps)).toBe(next),
   )
@@ -58,6 +63,26 @@ describe("a step", () => {
         expect(there).toBeCloseTo(Number(literal) + steps * stepOf(literal), 6)
         expect(withSteps(`${whole}`, steps)).toMatch(/^-?\d+$/)
         expect(Number(withSteps(literal, 0))).toBe(Number(literal))
+      }),
+    )
+  })
+})
+
+describe("the steps of a way", () => {
+  it.each([
+    [0, 0],
+    [3, 0],
+    [4, 1],
+    [-30, -7],
+    [40, 10],
+    [80, 30],
+    [200, 210],
+  ])("of %i pixels are %i", (pixels, steps) => expect(stepsOfWay(pixels)).toBe(steps))
+  it("become larger with the distance, the same to both sides", () => {
+    fc.assert(
+      fc.property(fc.integer({min: 0, max: 400}), pixels => {
+        expect(stepsOfWay(-pixels) + stepsOfWay(pixels)).toBe(0)
+        expect(stepsOfWay(pixels + 4) - stepsOfWay(pixels)).toBeGreaterThanOrEqual(1)
       }),
     )
   })

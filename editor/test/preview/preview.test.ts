@@ -1,12 +1,12 @@
 /// When a preview is asked for, which answers are taken, and when a preview is forgotten.
 
 import {describe, expect, it} from "vitest"
-import {type Preview, placeAt, shownPreview} from "../../src/preview/preview.ts"
-import {type Document, emptyDocument, emptyHistory} from "../../src/state/history.ts"
-import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
+import {type Document, emptyDocument, emptyHistory} from "../../src/program/history.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
+import {type Preview, placeAt, shownPreview} from "../../src/state/messages/preview.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 import type {World} from "../../src/worlds/world.ts"
 
 const documentOf = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})

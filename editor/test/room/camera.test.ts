@@ -2,19 +2,20 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
+import {extendTrail, type Trail} from "../../src/state/runs/room_state.ts"
 import {
   type CameraView,
   fit,
   follow,
+  heightAboveControls,
   lookAt,
   pan,
   toRoom,
   toScreen,
   viewOfPath,
   zoom,
-} from "../../src/room/camera.ts"
-import {normalizeAngle, poseAt} from "../../src/room/poses.ts"
-import {extendTrail, type Trail} from "../../src/state/room_state.ts"
+} from "../../src/views/room/camera.ts"
+import {normalizeAngle, poseAt} from "../../src/views/room/poses.ts"
 
 const size = fc.double({min: 0.5, max: 60, noNaN: true})
 const pixels = fc.integer({min: 100, max: 3000})
@@ -30,6 +31,21 @@ describe("the camera", () => {
         expect(high.x).toBeLessThan(w)
         expect(low.y).toBeLessThan(h)
         expect(high.y).toBeGreaterThan(0)
+      }),
+    )
+  })
+
+  it("leaves the controls at the lower edge free where the height allows it, and is as large as before", () => {
+    fc.assert(
+      fc.property(size, size, pixels, pixels, (width, height, w, h) => {
+        const all = fit(width, height, w, h)
+        const camera = fit(width, height, w, heightAboveControls(width, height, w, h))
+        expect(camera.scale).toBeCloseTo(all.scale, 6)
+        const [below, above] = [h - camera.bottom, camera.bottom - height * camera.scale]
+        expect(above).toBeGreaterThan(0)
+        const free = below + above
+        expect(below).toBeGreaterThanOrEqual(free / 2 - 1e-6)
+        expect(below).toBeGreaterThanOrEqual(Math.min(88, free - 18) - 1e-6)
       }),
     )
   })

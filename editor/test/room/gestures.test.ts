@@ -1,9 +1,9 @@
 /// Clicks and keys in the room that ask a question, on a canvas without a page.
 
 import {beforeEach, describe, expect, it} from "vitest"
-import {type GestureHost, watchGestures} from "../../src/room/gestures.ts"
-import type {Pose} from "../../src/room/poses.ts"
-import type {QuestionTarget} from "../../src/room/question_targets.ts"
+import {type GestureHost, watchGestures} from "../../src/views/room/gestures.ts"
+import type {Pose} from "../../src/views/room/poses.ts"
+import type {QuestionTarget} from "../../src/views/room/question_targets.ts"
 
 /// 100 pixels are one metre; the room's lower left corner is at the lower left of the canvas.
 const camera = {scale: 100, left: 0, bottom: 400}

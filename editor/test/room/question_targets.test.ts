@@ -1,8 +1,8 @@
 /// What a click in the room asks about.
 
 import {describe, expect, it} from "vitest"
-import {targetAt} from "../../src/room/question_targets.ts"
-import type {Trail} from "../../src/state/room_state.ts"
+import type {Trail} from "../../src/state/runs/room_state.ts"
+import {targetAt} from "../../src/views/room/question_targets.ts"
 
 const point = (x: number, y: number, time: number) => ({x, y, time, speed: 0.5})
 const trail: Trail = [

@@ -1,7 +1,7 @@
 /// What the laser scanner has measured, as points of the room's drawing.
 
 import {expect, test} from "vitest"
-import {scanPoints} from "../../src/room/robot_drawing.ts"
+import {scanPoints} from "../../src/views/room/robot_drawing.ts"
 
 const scan = (...distances: number[]) => ({channels: {Scan: [0, Math.PI / 2, 0.12, 3.5, ...distances]}})
 

@@ -2,6 +2,7 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
+import {extendTrail, type Point, type Trail} from "../../src/state/runs/room_state.ts"
 import {
   levels,
   segmentsOf,
@@ -10,8 +11,7 @@ import {
   timeMarks,
   timeSpan,
   trailUntil,
-} from "../../src/room/trail_segments.ts"
-import {extendTrail, type Point, type Trail} from "../../src/state/room_state.ts"
+} from "../../src/views/room/trail_segments.ts"
 
 const drive = (steps: number, speed = 0.5): Trail => {
   let trail: Trail = []

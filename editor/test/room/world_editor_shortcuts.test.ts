@@ -1,7 +1,7 @@
 /// What keys do on the world editor's canvas.
 
 import {expect, it} from "vitest"
-import {worldKey} from "../../src/room/world_editor_shortcuts.ts"
+import {worldKey} from "../../src/views/room/editor/world_editor_shortcuts.ts"
 
 const press = (key: string, held: object = {}) =>
   worldKey({key, ctrlKey: false, metaKey: false, altKey: false, shiftKey: false, ...held})

@@ -10,7 +10,7 @@ import {
   type RoomTest,
   readAnswer,
   requestOf,
-} from "../../src/rooms/room_test.ts"
+} from "../../src/jobs/room_test.ts"
 import {readWorld} from "../../src/worlds/world_decoder.ts"
 
 const folder = new URL("../../../protocol/goldens/room-test/", import.meta.url)

@@ -1,14 +1,14 @@
 /// Two runs in one picture: what is drawn of the other one, and both curves of a chart in the same scale.
 
 import {describe, expect, it} from "vitest"
+import {changeSentence} from "../../src/features/runs/change_sentence.ts"
+import {factsOf, picturePath} from "../../src/features/runs/run_facts.ts"
 import {openCurves, unitedWindow, windowOf, withSameScale} from "../../src/page/panels/chart_data.ts"
-import {changeSentence} from "../../src/runs/change_sentence.ts"
-import {overlayOf} from "../../src/runs/overlay.ts"
-import {factsOf, picturePath} from "../../src/runs/run_facts.ts"
-import {beginRun, compareWith, noRuns} from "../../src/runs/run_tree.ts"
-import type {Frame} from "../../src/state/messages.ts"
-import {quantities} from "../../src/state/quantities.ts"
-import {addFrame, clearRoom, emptyRoom, type RoomState} from "../../src/state/room_state.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import {addFrame, clearRoom, emptyRoom, type RoomState} from "../../src/state/runs/room_state.ts"
+import {beginRun, compareWith, noRuns} from "../../src/state/runs/run_tree.ts"
+import {quantities} from "../../src/values/quantities.ts"
+import {overlayOf} from "../../src/views/room/overlay.ts"
 import {french} from "../../src/words/fr/index.ts"
 import {words} from "../../src/words/index.ts"
 

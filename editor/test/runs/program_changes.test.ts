@@ -2,7 +2,7 @@
 
 import * as fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {type ProgramChange, programChanges} from "../../src/runs/program_changes.ts"
+import {type ProgramChange, programChanges} from "../../src/state/runs/program_changes.ts"
 
 const drive = (body: string) => `drive :: Velocity\ndrive = ${body}\n\nmain = simulate drive\n`
 const before = drive("Velocity 0.3 0")

@@ -1,15 +1,15 @@
 /// Recordings of runs on real robots: asking for one, its run, its end, and what is sent to the service.
 
 import {afterEach, beforeEach, describe, expect, it, vi} from "vitest"
-import {mostRecordingBytes, sendRecording} from "../../src/controller/recordings.ts"
-import {mayOpenRecording} from "../../src/runs/recording_reducer.ts"
-import {nodeOf} from "../../src/runs/run_tree.ts"
-import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
+import {mostRecordingBytes, sendRecording} from "../../src/controller/programs/recordings.ts"
+import {mayOpenRecording} from "../../src/reducers/recording_reducer.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import {mayContinue} from "../../src/reducers/run_reducer.ts"
+import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 import {isDriving} from "../../src/state/robot_ownership.ts"
-import {mayContinue} from "../../src/state/run_reducer.ts"
+import {nodeOf} from "../../src/state/runs/run_tree.ts"
 import type {Effect} from "../../src/state/transition.ts"
 
 function play(before: PageState, ...events: readonly PageEvent[]) {
@@ -79,7 +79,7 @@ describe("a recording", () => {
 
   it("that cannot be opened leaves the page as it is", () => {
     // Where robots are locked, too, whose refusals are shown in their dialog.
-    const locked = play(open, hear({op: "robots", locked: true, robots: []})).state
+    const locked = play(open, hear({op: "robots", locked: true, robots: [], discovers: false})).state
     const before = play(locked, {kind: "run-pressed", seed: 1}, running(1), frame(1, 0), ended(1)).state
     const {state} = play(
       before,

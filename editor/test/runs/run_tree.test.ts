@@ -2,6 +2,8 @@
 
 import * as fc from "fast-check"
 import {describe, expect, it} from "vitest"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import {addFrame, clearRoom, emptyRoom} from "../../src/state/runs/room_state.ts"
 import {
   beginRun,
   comparedRun,
@@ -15,9 +17,7 @@ import {
   storeShown,
   takeRun,
   withoutRun,
-} from "../../src/runs/run_tree.ts"
-import type {Frame} from "../../src/state/messages.ts"
-import {addFrame, clearRoom, emptyRoom} from "../../src/state/room_state.ts"
+} from "../../src/state/runs/run_tree.ts"
 
 const frame = (run: number, step: number): Frame => ({
   run,

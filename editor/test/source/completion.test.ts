@@ -1,8 +1,8 @@
 /// The order in which completion offers what fits.
 
 import {describe, expect, it} from "vitest"
-import {ranked} from "../../src/source/completion.ts"
-import type {Suggestion} from "../../src/state/messages.ts"
+import {ranked} from "../../src/views/source/completion.ts"
+import type {Suggestion} from "../../src/wire/worker.generated.ts"
 
 /// As CodeMirror shows them before a letter is typed.
 const shown = (names: readonly Suggestion[]) =>

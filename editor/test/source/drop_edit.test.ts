@@ -5,7 +5,7 @@ import {createRequire} from "node:module"
 import {codeOf, toolbox} from "@rosy/codegen"
 import {openReader} from "@rosy/codegen/reader"
 import {describe, expect, it} from "vitest"
-import {type Code, dropEdit} from "../../src/source/drop_edit.ts"
+import {type Code, dropEdit} from "../../src/views/source/drop_edit.ts"
 
 /// The text after a piece was let fall at `¦`, with what is selected between `«` and `»`.
 function put(marked: string, code: Code): string {

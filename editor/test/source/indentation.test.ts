@@ -3,7 +3,7 @@
 import {existsSync, readdirSync, readFileSync} from "node:fs"
 import {fileURLToPath} from "node:url"
 import {describe, expect, it} from "vitest"
-import {indentBelow} from "../../src/source/indentation.ts"
+import {indentBelow} from "../../src/views/source/indentation.ts"
 
 const examples = fileURLToPath(new URL("../../../examples/", import.meta.url))
 

@@ -3,9 +3,10 @@
 import {EditorState, Transaction, type TransactionSpec} from "@codemirror/state"
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import type {SharingMessage, SharingRequest} from "../../src/classroom/shared_messages.ts"
-import {openSharedSession, type SharedSession} from "../../src/classroom/shared_session.ts"
-import {openSharedText, type SharedText, type Side, sharedText} from "../../src/source/shared_text.ts"
+import type {SharingMessage, SharingRequest} from "../../src/classroom/messages/shared_messages.ts"
+import {openSharedSession, type SharedSession} from "../../src/classroom/sharing/shared_session.ts"
+import {openSharedText, type SharedText, sharedText} from "../../src/views/source/shared_text.ts"
+import type {Side} from "../../src/wire/classroom/shared_messages.generated.ts"
 
 /// One of the two, with messages that are on their way in both directions.
 class Author {
@@ -197,7 +198,7 @@ test("updates that do not fit the text end the session instead of damaging it", 
   const bad: SharingMessage[] = [
     {op: "updates", version: 3, updates: []},
     {op: "updates", version: 0, updates: [{by: "pupil", changes: [99]}]},
-    {op: "updates", version: 0, updates: [{by: "pupil", changes: "none"}]},
+    {op: "updates", version: 0, updates: [{by: "pupil", changes: [[1, 2]]}]},
   ]
   for (const message of bad) {
     const author = new Author("teacher", "main")

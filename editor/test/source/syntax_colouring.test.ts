@@ -5,8 +5,8 @@ import {createRequire} from "node:module"
 import {tokens} from "@rosy/codegen"
 import {openReader} from "@rosy/codegen/reader"
 import {describe, expect, it} from "vitest"
-import {readHaskell} from "../../src/controller/document_conversion.ts"
-import {classOf, paletteOf} from "../../src/source/syntax_colouring.ts"
+import {readHaskell} from "../../src/controller/document/document_conversion.ts"
+import {classOf, paletteOf} from "../../src/views/source/syntax_colouring.ts"
 
 const require = createRequire(import.meta.url)
 const reader = await openReader({

@@ -2,14 +2,15 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {memoryStorage as storage} from "../../src/browser/memory_storage.ts"
-import {openProgramStore} from "../../src/browser/program_store.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
 import {
   type Arrangement,
+  afterLesson,
   type Box,
   boxes,
   dividers,
   dropRegion,
+  duringLesson,
   firstArrangement,
   gridOf,
   leastShare,
@@ -30,7 +31,8 @@ import {
   withView,
 } from "../../src/state/arrangement.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
+import {memoryStorage as storage} from "../../src/storage/memory_storage.ts"
+import {openProgramStore} from "../../src/storage/program_store.ts"
 
 const anyRegion = fc.constantFrom(...regions)
 const anySide = fc.constantFrom<Side>("left", "right", "top", "bottom")
@@ -272,5 +274,35 @@ describe("what the browser remembers of it", () => {
       there.setItem("rosy.liking", JSON.stringify({arrangement}))
       expect(openProgramStore(there, storage()).preferences()).toEqual({})
     }
+  })
+})
+
+describe("a lesson on a page that is not wide", () => {
+  it("gives the blocks the width of the Haskell, and ends with the arrangement before", () => {
+    const before = boxes(visibleTree(firstArrangement.tree, firstArrangement.hidden) ?? "room")
+    for (const width of [1280, 1366]) {
+      const now = duringLesson(firstArrangement, width)
+      const during = boxes(visibleTree(now.tree, now.hidden) ?? "room")
+      expect([...during.keys()].sort()).toEqual([...before.keys()].sort())
+      expect(during.get("blocks")?.w).toBeGreaterThan((before.get("blocks")?.w ?? 0) * 1.3)
+      expect(duringLesson(now, width)).toBe(now)
+      expect(afterLesson(now)).toEqual(firstArrangement)
+    }
+  })
+
+  it("leaves an arrangement that the learner has chosen, and a wide page, as they are", () => {
+    for (const tree of presetTrees.slice(1)) {
+      const chosen = {tree, hidden: firstArrangement.hidden}
+      expect(duringLesson(chosen, 1280)).toBe(chosen)
+      expect(afterLesson(chosen)).toBe(chosen)
+    }
+    const moved = resizeSplit(
+      firstArrangement,
+      dividers(firstArrangement.tree)[0] ?? expect.fail("expected a divider"),
+      0.5,
+    )
+    expect(duringLesson(moved, 1280)).toBe(moved)
+    expect(duringLesson(firstArrangement, 1440)).toBe(firstArrangement)
+    expect(afterLesson(firstArrangement)).toBe(firstArrangement)
   })
 })

@@ -3,8 +3,8 @@
 import {describe, expect, it} from "vitest"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import {readout} from "../../src/state/readout.ts"
-import {isMinorEvent} from "../../src/state/room_state.ts"
+import {isMinorEvent} from "../../src/state/runs/room_state.ts"
+import {readout} from "../../src/values/readout.ts"
 import {frame, hear, hello, open, play, press, reset, running} from "./event_player.ts"
 
 describe("the connection", () => {
@@ -29,9 +29,15 @@ describe("the connection", () => {
   })
 
   it("says when the worker restarts and when it is back", () => {
-    const restarting = play(open, hear({op: "worker", state: "restarting"})).state
+    const restarting = play(open, hear({op: "worker", state: "restarting", fault: ""})).state
     expect(restarting.worker).toBe("restarting")
-    expect(play(restarting, hear({op: "worker", state: "ready"})).state.worker).toBe("ready")
+    expect(play(restarting, hear({op: "worker", state: "ready", fault: ""})).state.worker).toBe("ready")
+  })
+
+  it("keeps why the worker cannot start until it is ready", () => {
+    const failed = play(open, hear({op: "worker", state: "failed", fault: "No library."})).state
+    expect([failed.worker, failed.workerFault]).toEqual(["failed", "No library."])
+    expect(play(failed, hear({op: "worker", state: "ready", fault: ""})).state.workerFault).toBe("")
   })
 })
 

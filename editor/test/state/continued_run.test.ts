@@ -1,13 +1,13 @@
 /// Runs that go on from a moment: what is asked for, what of the run before stays, and where a changed program differs.
 
 import {describe, expect, it} from "vitest"
-import {maxFrames} from "../../src/runs/run_tree.ts"
-import {awayRun} from "../../src/runs/run_tree_reducer.ts"
-import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import {awayRun} from "../../src/reducers/run_tree_reducer.ts"
+import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {framesBetween} from "../../src/state/recording.ts"
-import {reduce} from "../../src/state/reducer.ts"
+import {framesBetween} from "../../src/state/runs/recording.ts"
+import {maxFrames} from "../../src/state/runs/run_tree.ts"
 import {isOfRun} from "./event_player.ts"
 
 const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})

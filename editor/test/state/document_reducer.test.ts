@@ -1,7 +1,7 @@
 /// What opening, changing and undoing do, also when another tab changes the program.
 
 import {describe, expect, it} from "vitest"
-import {type Document, emptyDocument, emptyHistory} from "../../src/state/history.ts"
+import {type Document, emptyDocument, emptyHistory} from "../../src/program/history.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState} from "../../src/state/page_state.ts"
 import {document, hello, open, play, press, program, running, text} from "./event_player.ts"

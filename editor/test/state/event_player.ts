@@ -1,12 +1,12 @@
 /// Player of events for tests of the reducers, with a program and the messages of a service.
 
-import {type Document, emptyDocument} from "../../src/state/history.ts"
-import type {Frame, Problem, ServiceMessage} from "../../src/state/messages.ts"
+import {type Document, emptyDocument} from "../../src/program/history.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
-import {untranslated} from "../../src/state/sentence.ts"
 import type {Effect} from "../../src/state/transition.ts"
+import type {Problem} from "../../src/wire/problem.generated.ts"
 
 /// Whether a message has to do with runs themselves; what prepares previews is tested with those.
 export const isOfRun = ({op}: {readonly op: string}): boolean => op !== "prepare-previews"
@@ -69,7 +69,11 @@ export const program = {
   words: [],
 }
 export const document: Document = {...emptyDocument, program}
-export const open = play({...initialState, document}, hello, hear({op: "worker", state: "ready"})).state
+export const open = play(
+  {...initialState, document},
+  hello,
+  hear({op: "worker", state: "ready", fault: ""}),
+).state
 export const problem: Problem = {
   severity: "error",
   kind: "type-mismatch",
@@ -81,6 +85,6 @@ export const problem: Problem = {
   ghc: "",
   time: null,
   inputs: [],
-  sentences: untranslated,
+  sentences: null,
   fixes: [],
 }

@@ -1,6 +1,6 @@
 /// A finding to test with: every field filled in, and any of them replaced by the test.
 
-import type {Finding} from "../../src/state/program.ts"
+import type {Finding} from "../../src/program/program.ts"
 
 export const finding = (more: Partial<Finding>): Finding => ({
   severity: "error",

@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {emptyDocument, emptyHistory, recordChange} from "../../src/state/history.ts"
+import {emptyDocument, emptyHistory, recordChange} from "../../src/program/history.ts"
 import {
   emptyProgram,
   type Fix,
@@ -11,9 +11,8 @@ import {
   mapFix,
   selectionAfterFix,
   signatureFix,
-} from "../../src/state/program.ts"
-import {untranslated} from "../../src/state/sentence.ts"
-import {applyChanges, changesBetween} from "../../src/state/text_changes.ts"
+} from "../../src/program/program.ts"
+import {applyChanges, changesBetween} from "../../src/program/text_changes.ts"
 
 const fix = (...edits: Fix["edits"]): Fix => ({title: "mend", edits})
 const applyFix = (text: string, one: Fix) => applyChanges(text, fixChanges(one, text.length))
@@ -47,7 +46,7 @@ describe("a fix", () => {
         ghc: "",
         time: null,
         inputs: [],
-        sentences: untranslated,
+        sentences: null,
         fixes: [
           {
             title: "Write y",

@@ -3,10 +3,10 @@
 
 import {readdirSync, readFileSync} from "node:fs"
 import {describe, expect, it} from "vitest"
-import {readServiceMessage} from "../../src/state/message_decoder.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import {readServiceMessage} from "../../src/state/messages/message_decoder.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 
 const folder = new URL("../../../protocol/goldens/page/", import.meta.url)
 const files = readdirSync(folder).filter(name => name.endsWith(".jsonl"))

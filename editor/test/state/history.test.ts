@@ -9,7 +9,7 @@ import {
   recordChange,
   redo,
   undo,
-} from "../../src/state/history.ts"
+} from "../../src/program/history.ts"
 
 const named = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})
 

@@ -1,20 +1,26 @@
 /// The one door for the service's words: what follows the protocol comes in, what does not is named with its path.
 
 import {describe, expect, it} from "vitest"
-import {readServiceMessage} from "../../src/state/message_decoder.ts"
-import {offsetOf} from "../../src/state/program.ts"
+import {offsetOf} from "../../src/program/program.ts"
+import {readServiceMessage} from "../../src/state/messages/message_decoder.ts"
 
 describe("a message of the service", () => {
   it("is read", () => {
     expect(readServiceMessage('{"op":"worker","state":"ready"}')).toEqual({
       kind: "ok",
-      value: {op: "worker", state: "ready"},
+      value: {op: "worker", state: "ready", fault: ""},
+    })
+  })
+
+  it("says why a worker cannot start", () => {
+    expect(readServiceMessage('{"op":"worker","state":"failed","message":"No library."}')).toMatchObject({
+      value: {op: "worker", state: "failed", fault: "No library."},
     })
   })
 
   it.each([
-    ['{"op":"worker","state":"asleep"}', "at state: expected one of starting, ready, restarting"],
-    ['{"op":"frame","run":1}', "at frame.step: expected a number"],
+    ['{"op":"worker","state":"asleep"}', "at state: expected one of starting, ready, restarting, failed"],
+    ['{"op":"frame","run":1}', "at time: expected a number"],
     ['{"op":"world","world":{"size":[1]}}', "at world.size: expected two numbers"],
     ['{"op":"state","run":1,"state":"ended","ended":"done","problems":[{}]}', "at problems[0].severity"],
     ['{"op":"dance"}', "at op: expected a message this page knows"],

@@ -3,10 +3,11 @@
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
 import {openCurves, windowOf} from "../../src/page/panels/chart_data.ts"
-import {speedOf} from "../../src/state/channels.ts"
-import type {Frame, MemoryValue} from "../../src/state/messages.ts"
-import {namedMemory, numberIn, quantities, quantitiesOf, toCsv} from "../../src/state/quantities.ts"
-import {emptyRecording, record} from "../../src/state/recording.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import {speedOf} from "../../src/state/runs/channels.ts"
+import {emptyRecording, record} from "../../src/state/runs/recording.ts"
+import {namedMemory, numberIn, quantities, quantitiesOf, toCsv} from "../../src/values/quantities.ts"
+import type {MemoryValue} from "../../src/wire/link_messages.generated.ts"
 
 const parked: Frame = {
   run: 1,
@@ -49,22 +50,38 @@ describe("a remembered value", () => {
 })
 
 describe("the table of a run", () => {
-  it("has a column for each value, and quotes what spreadsheets would split", () => {
+  it("has a column for each value, and a negative number stays one", () => {
     const frames = [
       at(0),
       at(1, {
-        x: 1,
+        x: -1,
         channels: {Velocity: [0, 0], Bumper: [1, 0, 0], Button: [0, 1, 0], Led1: [3]},
         memory: [{type: "Memory [Int]", value: "[1,2]"}],
       }),
     ]
-    const [header = "", ...rows] = toCsv(recorded(frames)).trimEnd().split("\n")
-    expect(header).toBe(["time", ...quantities.map(q => q.key), "led1", "led2", "Memory [Int]"].join(","))
-    const cell = (row: string | undefined, name: string) => row?.split(",")[header.split(",").indexOf(name)]
-    const names = ["time", "x", "bumperLeft", "bumperRight", "button1", "led1", "led2"]
-    expect(names.map(name => cell(rows[0], name))).toEqual(["0.00", "0", "0", "0", "0", "Black", "Black"])
-    expect(names.map(name => cell(rows[1], name))).toEqual(["0.02", "1", "1", "0", "1", "Red", "Black"])
-    expect(rows.map(row => row.split("Black,").at(-1))).toEqual(["", '"[1,2]"'])
+    const [header = [], ...rows] = toCsv(recorded(frames))
+      .trimEnd()
+      .split("\r\n")
+      .map(row => row.slice(1, -1).split('","'))
+    expect(header).toEqual(["time", ...quantities.map(q => q.key), "led1", "led2", "Memory [Int]"])
+    const cell = (row: readonly string[] | undefined, name: string) => row?.[header.indexOf(name)]
+    const names = ["time", "x", "bumperLeft", "bumperRight", "button1", "led1", "led2", "Memory [Int]"]
+    expect(names.map(name => cell(rows[0], name))).toEqual(["0.00", "0", "0", "0", "0", "Black", "Black", ""])
+    expect(names.map(name => cell(rows[1], name))).toEqual([
+      "0.02",
+      "-1",
+      "1",
+      "0",
+      "1",
+      "Red",
+      "Black",
+      "[1,2]",
+    ])
+  })
+
+  it("computes no memory of a program", () => {
+    const memory = [{type: "Memory String", value: "=1+1"}]
+    expect(toCsv(recorded([at(0, {memory})]))).toContain(`"'=1+1"`)
   })
 })
 

@@ -1,7 +1,7 @@
 /// A run that waits for a place: what the page knows and says while the room is full.
 
 import {describe, expect, test} from "vitest"
-import {isActive, nextRun, type RunState} from "../../src/state/run_state.ts"
+import {isActive, nextRun, type RunState} from "../../src/state/runs/run_state.ts"
 import {words} from "../../src/words/index.ts"
 
 const heard = (state: RunState, message: object): RunState =>

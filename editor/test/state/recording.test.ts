@@ -2,8 +2,8 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import type {Frame} from "../../src/state/messages.ts"
-import {emptyRecording, frameAt, framesBetween, record, spanOfTime} from "../../src/state/recording.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
+import {emptyRecording, frameAt, framesBetween, record, spanOfTime} from "../../src/state/runs/recording.ts"
 
 const frame = (step: number): Frame => ({
   run: 1,

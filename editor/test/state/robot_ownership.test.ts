@@ -1,13 +1,13 @@
 /// A real robot in the page's hands: choosing, driving, stopping, losing it.
 
 import {describe, expect, it} from "vitest"
-import {comparedRun, runRows} from "../../src/runs/run_tree.ts"
-import type {Frame, ServiceMessage} from "../../src/state/messages.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 import {isDriving} from "../../src/state/robot_ownership.ts"
 import type {OwnedRobot} from "../../src/state/robots.ts"
+import {comparedRun, runRows} from "../../src/state/runs/run_tree.ts"
 import type {Effect} from "../../src/state/transition.ts"
 import type {World} from "../../src/worlds/world.ts"
 
@@ -22,7 +22,7 @@ function play(state: PageState, ...events: readonly PageEvent[]) {
 }
 
 const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
-const robots = (locked: boolean) => hear({op: "robots", locked, robots: []})
+const robots = (locked: boolean) => hear({op: "robots", locked, robots: [], discovers: false})
 const robot = (
   more: Partial<Omit<OwnedRobot, "link">> & {link?: OwnedRobot["link"] | "gone"} = {},
 ): PageEvent =>

@@ -1,12 +1,12 @@
 /// The room as the page's state has it: its editor, its files, its luck.
 
 import {describe, expect, it} from "vitest"
-import {newDraft} from "../../src/lesson_editor/draft.ts"
-import {emptyDocument, emptyHistory} from "../../src/state/history.ts"
+import {newDraft} from "../../src/lesson_files/draft.ts"
+import {emptyDocument, emptyHistory} from "../../src/program/history.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState, type ReplacedRoom} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
-import {goalsOf} from "../../src/state/room_state.ts"
+import {goalsOf} from "../../src/state/runs/room_state.ts"
 import type {World} from "../../src/worlds/world.ts"
 import {emptyRoom} from "../worlds/worlds.ts"
 
@@ -87,7 +87,7 @@ describe("the world editor on the page", () => {
 })
 
 describe("a room from a file", () => {
-  const read = (text: string | null): PageEvent => ({kind: "world-file-read", name: "hall.json", text})
+  const read = (text: string): PageEvent => ({kind: "world-file-read", name: "hall.json", text})
 
   it("is the room now, or goes into the open editor, where it can be undone", () => {
     const file = JSON.stringify({size: [4, 4], start: {x: 2, y: 2}})
@@ -99,7 +99,6 @@ describe("a room from a file", () => {
   })
 
   it.each([
-    [null, ""],
     ["{", ""],
     ["[]", ""],
     ['{"size":[4,4]}', "start"],

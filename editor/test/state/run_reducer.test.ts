@@ -1,11 +1,11 @@
 /// What Run, Stop and Reset do, also when answers come late, twice, or not at all.
 
 import {describe, expect, it} from "vitest"
-import {runStatus} from "../../src/page/descriptions.ts"
-import type {Problem} from "../../src/state/messages.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import {readout} from "../../src/state/readout.ts"
-import {shownFrame, speech} from "../../src/state/room_state.ts"
+import {shownFrame, speech} from "../../src/state/runs/room_state.ts"
+import {runStatus} from "../../src/ui/descriptions.ts"
+import {readout} from "../../src/values/readout.ts"
+import type {Problem} from "../../src/wire/problem.generated.ts"
 import type {World} from "../../src/worlds/world.ts"
 import {
   document,

@@ -1,11 +1,11 @@
 /// Safety rules: the switch, and what the page says when they override the program.
 
 import {describe, expect, it} from "vitest"
-import {readServiceMessage} from "../../src/state/message_decoder.ts"
-import type {ServiceMessage} from "../../src/state/messages.ts"
+import {reduce} from "../../src/reducers/reducer.ts"
+import {readServiceMessage} from "../../src/state/messages/message_decoder.ts"
+import type {ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {reduce} from "../../src/state/reducer.ts"
 
 const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
 const after = (state: PageState, ...events: readonly PageEvent[]) =>

@@ -3,8 +3,8 @@
 import {tokens} from "@rosy/codegen"
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import {mapRange} from "../../src/state/program.ts"
-import {applyChanges, ChangeSet, changesBetween, unchangedPosition} from "../../src/state/text_changes.ts"
+import {mapRange} from "../../src/program/program.ts"
+import {applyChanges, ChangeSet, changesBetween, unchangedPosition} from "../../src/program/text_changes.ts"
 
 /// Without `'`: it belongs to a word or begins a character, which more than the letters beside it decides. A digit is followed by a
 /// blank for the same reason: in `play1a` it belongs to the word, in `(1a` it does not.

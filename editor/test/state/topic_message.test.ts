@@ -1,7 +1,7 @@
 /// Messages made by hand.
 
 import {describe, expect, it} from "vitest"
-import {messageOf} from "../../src/state/topic_message.ts"
+import {messageOf} from "../../src/values/topic_message.ts"
 
 describe("a message made by hand", () => {
   it("has numbers, truth values, lists and texts in its fields", () => {

@@ -1,12 +1,12 @@
 /// Which findings of the blocks and of the compiler the page shows.
 
 import {describe, expect, it} from "vitest"
-import {type Document, emptyHistory} from "../../src/state/history.ts"
-import type {Problem} from "../../src/state/messages.ts"
+import {type Document, emptyHistory} from "../../src/program/history.ts"
+import type {Finding} from "../../src/program/program.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import type {PageState} from "../../src/state/page_state.ts"
-import type {Finding} from "../../src/state/program.ts"
 import {compiled, trustedFindings} from "../../src/state/visible_findings.ts"
+import type {Problem} from "../../src/wire/problem.generated.ts"
 import {document, ended, hear, open, play, press, problem, program, text} from "./event_player.ts"
 import {finding} from "./finding.ts"
 

@@ -2,10 +2,10 @@
 
 import fc from "fast-check"
 import {describe, expect, it} from "vitest"
-import type {Firing} from "../../src/state/firings.ts"
-import {addFirings, emptyLog, latestFirings} from "../../src/values/firing_log.ts"
+import {addFirings, emptyLog, latestFirings} from "../../src/state/runs/firing_log.ts"
+import type {FiringShown} from "../../src/wire/page/explanations.generated.ts"
 
-const firing = (n: number, time: number, name: string): Firing => ({
+const firing = (n: number, time: number, name: string): FiringShown => ({
   n,
   time,
   function: name,

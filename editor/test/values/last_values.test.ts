@@ -1,23 +1,34 @@
 /// Last values of functions, commands and events of the program, as far as firings tell them.
 
 import {describe, expect, it} from "vitest"
-import type {Firing, FiringOutput} from "../../src/state/firings.ts"
-import {emptyRoom, type RoomState} from "../../src/state/room_state.ts"
-import {addFirings, emptyLog} from "../../src/values/firing_log.ts"
+import {addFirings, emptyLog} from "../../src/state/runs/firing_log.ts"
+import {emptyRoom, type RoomState} from "../../src/state/runs/room_state.ts"
 import {lastOf} from "../../src/values/last_values.ts"
+import type {Given} from "../../src/wire/firing.generated.ts"
+import type {FiringShown} from "../../src/wire/page/explanations.generated.ts"
 import {measures, words} from "../../src/words/index.ts"
 
-const firing = (n: number, time: number, name: string, ...gave: FiringOutput[]): Firing => ({
+const firing = (n: number, time: number, name: string, ...gave: Given[]): FiringShown => ({
   n,
   time,
   function: name,
   task: 0,
   cause: {by: "tick", value: "", instant: null, event: null, firing: null},
-  took: [{from: "state", value: "Velocity 0.1 0.0", type: "", firing: null}],
+  took: [
+    {
+      from: "state",
+      value: "Velocity 0.1 0.0",
+      type: "",
+      firing: null,
+      channel: "",
+      instant: null,
+      read: null,
+    },
+  ],
   gave,
   branches: [],
 })
-const velocity = (value: string): FiringOutput => ({to: "command", value, type: "Velocity"})
+const velocity = (value: string): Given => ({to: "command", value, type: "Velocity", event: null})
 const frame = {run: 1, step: 0, x: 0, y: 0, theta: 0, channels: {}, fired: [], sensed: []}
 
 const room: RoomState = {
@@ -26,7 +37,7 @@ const room: RoomState = {
   firings: addFirings(emptyLog, [
     firing(1, 1.8, "drive", velocity("Velocity 0.30000000000000004 0.0")),
     firing(2, 1.9, "turn", velocity("Velocity 0.0 1.0")),
-    firing(3, 1.9, "tell", {to: "event", value: "Far 3", type: "Far"}),
+    firing(3, 1.9, "tell", {to: "event", value: "Far 3", type: "Far", event: null}),
     firing(4, 1.96, "turn"),
   ]),
 }

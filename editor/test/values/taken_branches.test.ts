@@ -1,16 +1,17 @@
 /// Branches that functions took at a moment: ranges of the text, blocks, and when they are not told.
 
 import {describe, expect, it} from "vitest"
-import type {Firing, FiringBranch} from "../../src/state/firings.ts"
-import {emptyDocument} from "../../src/state/history.ts"
+import {emptyDocument} from "../../src/program/history.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {addFrame} from "../../src/state/room_state.ts"
+import {addFrame} from "../../src/state/runs/room_state.ts"
 import {noBranches, takenBranches} from "../../src/values/taken_branches.ts"
+import type {Branch} from "../../src/wire/firing.generated.ts"
+import type {FiringShown} from "../../src/wire/page/explanations.generated.ts"
 
 const text = "play True = Red\nplay _ = if late then Red else Black\nhelper 0 = 1\nhelper n = n\n"
 const range = (part: string) => ({start: text.indexOf(part), end: text.indexOf(part) + part.length})
 
-const branch = (part: string, name: string, kind: FiringBranch["kind"] = "equation"): FiringBranch => {
+const branch = (part: string, name: string, kind: Branch["kind"] = "equation"): Branch => {
   const {start} = range(part)
   const line = text.slice(0, start).split("\n").length
   const column = start - text.lastIndexOf("\n", start - 1)
@@ -24,7 +25,7 @@ const branch = (part: string, name: string, kind: FiringBranch["kind"] = "equati
   }
 }
 
-const firing = (n: number, time: number, branches: readonly FiringBranch[]): Firing => ({
+const firing = (n: number, time: number, branches: readonly Branch[]): FiringShown => ({
   n,
   time,
   function: "play",

@@ -1,27 +1,37 @@
 /// Labels at definitions: the values of the displayed moment, when they are old or unknown, and how long ones are folded.
 
 import {describe, expect, it} from "vitest"
-import type {Firing} from "../../src/state/firings.ts"
-import {emptyDocument} from "../../src/state/history.ts"
-import type {Frame} from "../../src/state/messages.ts"
+import {emptyDocument} from "../../src/program/history.ts"
+import type {Frame} from "../../src/state/messages/messages.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {addFrame} from "../../src/state/room_state.ts"
+import {addFrame} from "../../src/state/runs/room_state.ts"
 import {definitionQuestion, longestText, valueLabels} from "../../src/values/value_labels.ts"
+import type {FiringShown} from "../../src/wire/page/explanations.generated.ts"
 import {measures, words} from "../../src/words/index.ts"
 
-const firing = (n: number, time: number, more: Partial<Firing> = {}): Firing => ({
+const firing = (n: number, time: number, more: Partial<FiringShown> = {}): FiringShown => ({
   n,
   time,
   function: "bump",
   task: 0,
   cause: {by: "message", value: "", instant: null, event: null, firing: null},
-  took: [{from: "event", value: "Bumper CenterBumper Pressed", type: "", firing: null}],
-  gave: [{to: "memory", value: "True", type: "Memory Hit"}],
+  took: [
+    {
+      from: "event",
+      value: "Bumper CenterBumper Pressed",
+      type: "",
+      firing: null,
+      channel: "",
+      instant: null,
+      read: null,
+    },
+  ],
+  gave: [{to: "memory", value: "True", type: "Memory Hit", event: null}],
   branches: [],
   ...more,
 })
 
-const frame = (time: number, firings: readonly Firing[] = [], more: Partial<Frame> = {}): Frame => ({
+const frame = (time: number, firings: readonly FiringShown[] = [], more: Partial<Frame> = {}): Frame => ({
   run: 1,
   step: time * 50,
   time,
@@ -72,7 +82,7 @@ describe("values at a moment", () => {
     const state = stateOf(
       frame(0),
       frame(0.5, [firing(1, 0.5)]),
-      frame(1, [firing(2, 1, {gave: [{to: "memory", value: "False", type: "Memory Hit"}]})]),
+      frame(1, [firing(2, 1, {gave: [{to: "memory", value: "False", type: "Memory Hit", event: null}]})]),
     )
     const at = (lookedAt: number | null) =>
       labels({...state, room: {...state.room, lookedAt}}).find(([name]) => name === "bump")
@@ -100,23 +110,46 @@ describe("values at a moment", () => {
     expect(label).toEqual(["bump", "→ Memory True  0.50 s", true])
   })
 
-  it.each<[string, Partial<Firing>]>([
+  it.each<[string, Partial<FiringShown>]>([
     ["→ nothing", {took: [], gave: []}],
-    ["→ Velocity 0.5 0.0", {took: [], gave: [{to: "command", value: "Velocity 0.5 0.0", type: ""}]}],
+    [
+      "→ Velocity 0.5 0.0",
+      {took: [], gave: [{to: "command", value: "Velocity 0.5 0.0", type: "", event: null}]},
+    ],
     [
       "Seconds 0.3 → Memory (Velocity 1.0 0.0)",
       {
-        took: [{from: "time", value: "Seconds 0.30000000000000004", type: "", firing: null}],
-        gave: [{to: "memory", value: "Velocity 1.0 0.0", type: "Memory Velocity"}],
+        took: [
+          {
+            from: "time",
+            value: "Seconds 0.30000000000000004",
+            type: "",
+            firing: null,
+            channel: "",
+            instant: null,
+            read: null,
+          },
+        ],
+        gave: [{to: "memory", value: "Velocity 1.0 0.0", type: "Memory Velocity", event: null}],
       },
     ],
     [
       "Memory (Int -> Int) → Step, Done",
       {
-        took: [{from: "memory", value: "_", type: "Memory (Int -> Int)", firing: null}],
+        took: [
+          {
+            from: "memory",
+            value: "_",
+            type: "Memory (Int -> Int)",
+            firing: null,
+            channel: "",
+            instant: null,
+            read: null,
+          },
+        ],
         gave: [
-          {to: "event", value: "_", type: "Step"},
-          {to: "done", value: "", type: ""},
+          {to: "event", value: "_", type: "Step", event: null},
+          {to: "done", value: "", type: "", event: null},
         ],
       },
     ],
@@ -136,7 +169,11 @@ describe("values at a moment", () => {
     const value = `Path [${Array.from({length: 40}, (_, i) => i).join(", ")}]`
     const state = stateOf(
       frame(0),
-      frame(0.5, [firing(1, 0.5, {took: [{from: "event", value, type: "", firing: null}]})]),
+      frame(0.5, [
+        firing(1, 0.5, {
+          took: [{from: "event", value, type: "", firing: null, channel: "", instant: null, read: null}],
+        }),
+      ]),
     )
     const [label] = valueLabels(state, words.why, measures)
     expect(label?.text).toBe("Path [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 1… → Memory True")

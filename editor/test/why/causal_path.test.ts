@@ -1,13 +1,14 @@
 /// Functions of a causal path when sentences name some that are not among its firings.
 
 import {describe, expect, it} from "vitest"
-import {causalPath} from "../../src/why/causal_path.ts"
-import {explanation} from "../../src/why/explanation.ts"
+import {causalPath} from "../../src/views/diagram/network/causal_path.ts"
+import {because} from "../../src/wire/page/explanations.generated.ts"
 
 const functionsOf = (...said: readonly object[]) => [
   ...causalPath(
-    explanation(
+    because(
       {
+        op: "because",
         id: 1,
         time: 2.6,
         sentences: said.map(one => ({said: one, time: 2.6})),

@@ -1,7 +1,8 @@
 /// The commands that can be asked for, from the types of a function.
 
+import {commands} from "@rosy/codegen/roles"
 import {describe, expect, it} from "vitest"
-import {commandsOf, commandsToAsk} from "../../src/why/commands_of.ts"
+import {commandsOf, commandsToAsk} from "../../src/features/why/commands_of.ts"
 import {readParts} from "../diagram/graphs.ts"
 
 describe("the commands of a function", () => {
@@ -18,6 +19,6 @@ describe("the commands of a function", () => {
 
   it("come before those that it never gives when it is asked for them", () => {
     const asked = commandsToAsk(readParts("accelerateAndPlay"), "play")
-    expect(asked).toEqual(["Sound", "Velocity", "Led1", "Led2", "Say"])
+    expect(asked).toEqual(["Sound", ...[...commands].filter(command => command !== "Sound")])
   })
 })

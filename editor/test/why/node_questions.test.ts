@@ -1,6 +1,6 @@
 import {describe, expect, it} from "vitest"
-import {nodeQuestions} from "../../src/why/node_questions.ts"
-import {noQuestion, reduceWhy} from "../../src/why/why_state.ts"
+import {noQuestion, reduceWhy} from "../../src/state/messages/why_state.ts"
+import {nodeQuestions} from "../../src/values/node_questions.ts"
 
 const asked = (kind: string, key: string) =>
   nodeQuestions({kind, key}, 3).map(question => reduceWhy(noQuestion, {kind: "asked", question}).request)

@@ -2,8 +2,8 @@
 
 import {readFileSync} from "node:fs"
 import {describe, expect, it} from "vitest"
-import {said} from "../../src/why/explanation.ts"
-import {asText, pieces, shortFractions} from "../../src/why/sentence_words.ts"
+import {asText, pieces, shortFractions} from "../../src/values/sentence_words.ts"
+import {sentence} from "../../src/wire/explanation.generated.ts"
 import {german} from "../../src/words/de/index.ts"
 import {en} from "../../src/words/en/index.ts"
 import {spanish} from "../../src/words/es/index.ts"
@@ -19,13 +19,16 @@ const lines = readFileSync(golden, "utf8")
 
 describe("a sentence of an explanation", () => {
   it.each(lines)("$english", line => {
-    const shown = pieces(said(line.said, ""), en.why, measuresOf("en"))
+    const shown = pieces(sentence(line.said, ""), en.why, measuresOf("en"))
     expect(asText(shown)).toBe(line.english)
   })
 
   it("leads to the firing that is its cause", () => {
     const shown = pieces(
-      said({id: "remembered", type: "Memory Bool", value: "True", since: 3.42, other: "bump", cause: 1}, ""),
+      sentence(
+        {id: "remembered", type: "Memory Bool", value: "True", since: 3.42, other: "bump", cause: 1},
+        "",
+      ),
       en.why,
       measuresOf("en"),
     )
@@ -34,7 +37,7 @@ describe("a sentence of an explanation", () => {
 
   it.each([german, portuguese, spanish, french])("has no empty place in $tag", table => {
     for (const line of lines) {
-      const text = asText(pieces(said(line.said, ""), table.page.why, table.measures))
+      const text = asText(pieces(sentence(line.said, ""), table.page.why, table.measures))
       expect(text).not.toMatch(/%\{|``|\*\*\*\*|undefined| {2}/)
     }
   })
@@ -55,12 +58,12 @@ describe("a sentence of an explanation", () => {
     [german, "Bei 1,02 s: die Stoßstange in der Mitte wurde gedrückt."],
     [portuguese, "Aos 1,02 s, o para-choque do meio foi pressionado."],
     [spanish, "A los 1,02 s: el parachoques central se pulsó."],
-  ])("writes numbers as the language does", (table, sentence) => {
+  ])("writes numbers as the language does", (table, worded) => {
     const shown = pieces(
-      said({id: "sensed", time: 1.02, value: "Bumper CenterBumper Pressed"}, ""),
+      sentence({id: "sensed", time: 1.02, value: "Bumper CenterBumper Pressed"}, ""),
       table.page.why,
       table.measures,
     )
-    expect(asText(shown)).toBe(sentence)
+    expect(asText(shown)).toBe(worded)
   })
 })

@@ -1,17 +1,17 @@
 /// The question why a case was not taken, for a block in it.
 
 import {describe, expect, it} from "vitest"
-import type {FiringBranch} from "../../src/state/firings.ts"
-import {emptyDocument} from "../../src/state/history.ts"
+import {emptyDocument} from "../../src/program/history.ts"
+import {noQuestion, reduceWhy} from "../../src/state/messages/why_state.ts"
 import {initialState} from "../../src/state/page_state.ts"
-import {addFrame} from "../../src/state/room_state.ts"
-import {caseQuestion, caseQuestionAt} from "../../src/why/untaken_case.ts"
-import {noQuestion, reduceWhy} from "../../src/why/why_state.ts"
+import {addFrame} from "../../src/state/runs/room_state.ts"
+import {caseQuestion, caseQuestionAt} from "../../src/values/untaken_case.ts"
+import type {Branch} from "../../src/wire/firing.generated.ts"
 
 const text = "play True = Red\nplay _ = if late then Red else Black\n"
 const range = (part: string) => ({start: text.indexOf(part), end: text.indexOf(part) + part.length})
 
-function branch(part: string, kind: FiringBranch["kind"], told = part): FiringBranch {
+function branch(part: string, kind: Branch["kind"], told = part): Branch {
   const {start} = range(part)
   const line = text.slice(0, start).split("\n").length
   const column = start - text.lastIndexOf("\n", start - 1)

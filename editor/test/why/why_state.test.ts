@@ -1,8 +1,8 @@
 /// Questions, answers, and the way back between them.
 
 import {describe, expect, it} from "vitest"
-import type {Explanation} from "../../src/why/explanation.ts"
 import {
+  type Explanation,
   isAsking,
   motionQuestion,
   noCommandQuestion,
@@ -11,7 +11,7 @@ import {
   type Question,
   reduceWhy,
   type WhyEvent,
-} from "../../src/why/why_state.ts"
+} from "../../src/state/messages/why_state.ts"
 
 const motion: Question = {kind: "command", command: "Velocity", value: "", time: 3.5}
 const bump: Question = {kind: "firing", firing: 1, function: "bump"}

@@ -1,8 +1,8 @@
 /*
- * Guardian process of a serial line: stops the base when the process that drives it ends or stands still.
+ * Guardian process of a connection to a base, a serial line or a socket: stops the base when the process that drives it ends or stands still.
  *
  * In: heartbeats, single bytes on a pipe. Out: the bytes of a stop on the line, when no heartbeat has come for the timeout, again
- * every REPEAT_MS until one comes, and once when the pipe is closed; then it ends. It is forked and not executed, so it needs no
+ * every REPEAT_MS until one comes (on a socket, whose other end others may drive too, MAX_REPEATS times), and once when the pipe is closed; then it ends. It is forked and not executed, so it needs no
  * program of its own, and uses only calls that are async-signal-safe (POSIX.1-2017, 2.4.3), because other threads of the
  * parent may hold locks at the fork.
  */
@@ -15,6 +15,8 @@
 #include <signal.h>
 #include <string.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <time.h>
@@ -24,11 +26,11 @@
 #define SYS_close_range 436 /* the number on every architecture; Debian 11's headers lack it */
 #endif
 
-enum { REPEAT_MS = 100, MAX_STOP = 64, LINE = 3, PIPE = 4, FIRST_OTHER = 5, MAX_FDS = 65536 };
+enum { REPEAT_MS = 100, MAX_REPEATS = 10, DRAIN_MS = 1000, MAX_STOP = 1024, LINE = 3, PIPE = 4, FIRST_OTHER = 5, MAX_FDS = 65536, GOODBYE = 'g' };
 
 static long now_ms(void) {
   struct timespec t;
-  clock_gettime(CLOCK_MONOTONIC, &t);
+  clock_gettime(CLOCK_BOOTTIME, &t); /* a computer that slept was silent */
   return t.tv_sec * 1000L + t.tv_nsec / 1000000L;
 }
 
@@ -50,24 +52,48 @@ static void ignore_signals(void) {
   sigprocmask(SIG_SETMASK, &none, 0);
 }
 
+static int is_socket(int fd) {
+  struct stat s;
+  return fstat(fd, &s) == 0 && S_ISSOCK(s.st_mode);
+}
+
+static void drain(void) {
+  /* A socket that is closed with unread bytes is reset, and the other side may lose the stop. */
+  char bytes[4096];
+  long until = now_ms() + DRAIN_MS;
+  shutdown(LINE, SHUT_WR);
+  for (long left = DRAIN_MS; left > 0; left = until - now_ms()) {
+    struct pollfd line = {LINE, POLLIN, 0};
+    if (poll(&line, 1, (int)left) <= 0 || read(LINE, bytes, sizeof bytes) <= 0) return;
+  }
+}
+
 static void keep_watch(const unsigned char *stop, int length, int timeout_ms) {
+  int on_socket = is_socket(LINE), repeats = 0;
   long due = now_ms() + timeout_ms;
   for (;;) {
     long left = due - now_ms();
     struct pollfd heartbeat = {PIPE, POLLIN, 0};
-    int ready = poll(&heartbeat, 1, left > 0 ? (int)left : 0);
+    int resting = on_socket && repeats == MAX_REPEATS;
+    int ready = poll(&heartbeat, 1, resting ? -1 : left > 0 ? (int)left : 0);
     if (ready < 0 && errno != EINTR) break;
     if (ready > 0) {
       char bytes[256];
       ssize_t n = read(PIPE, bytes, sizeof bytes);
       if (n == 0 || (n < 0 && errno != EINTR)) break;
+      if (n > 0 && bytes[n - 1] == GOODBYE && on_socket) return;
+      /* After a sleep of the computer the heartbeat may come before the timeout is seen. */
+      if (now_ms() > due && repeats == 0) send_stop(stop, length);
+      repeats = 0;
       due = now_ms() + timeout_ms;
     } else if (ready == 0) {
       send_stop(stop, length);
+      repeats++;
       due = now_ms() + REPEAT_MS;
     }
   }
   send_stop(stop, length);
+  if (on_socket) drain();
 }
 
 int rosy_guardian_start(int line, const unsigned char *stop, int length, int timeout_ms, int *heartbeat) {
@@ -115,6 +141,9 @@ int rosy_guardian_beat(int heartbeat) {
 }
 
 void rosy_guardian_end(int guardian, int heartbeat) {
+  char goodbye = GOODBYE;
+  ssize_t n = write(heartbeat, &goodbye, 1);
+  (void)n;
   close(heartbeat);
   kill(guardian, SIGCONT); /* a suspended one would be waited for without end */
   while (waitpid(guardian, 0, 0) < 0 && errno == EINTR) continue;

@@ -55,7 +55,7 @@ import Data.List (find, mapAccumL, sortOn)
 import Data.List.NonEmpty (NonEmpty)
 import qualified Data.List.NonEmpty as NonEmpty
 import Data.Maybe (fromMaybe, listToMaybe)
-import Data.Scientific (floatingOrInteger, toRealFloat)
+import Data.Scientific (floatingOrInteger)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -63,6 +63,7 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Vector as Vector
 import Rosy.Channel (Action (..), Channel (..), Field (Number, Whole), Kind (..), Message (..))
 import qualified Rosy.Channel as Channel
+import Rosy.JsonNumber (finiteIn)
 import Rosy.LaserScan
 import Rosy.Profile
 import Rosy.Value.DecimalDigits (showsDouble)
@@ -95,23 +96,7 @@ routes :: Robot -> Variables -> [Route]
 routes robot variables = map route mappings
   where
     mappings = map filled (robotMappings robot)
-    filled m =
-      m
-        { topicPattern = expand variables (topicPattern m),
-          typePattern = expand variables (typePattern m),
-          mappingPlaces = map place (mappingPlaces m),
-          mappingConstants = [(steps path, x) | (path, x) <- mappingConstants m]
-        }
-    place p = case p of
-      At path leaf -> At (steps path) leaf
-      Yaw path -> Yaw (steps path)
-      AtAll paths leaf -> AtAll (map steps paths) leaf
-      NearestAhead _ -> p
-      ScanRanges -> p
-    steps path = [s | s <- map step path, s /= Key Text.empty]
-    step s = case s of
-      Key k -> Key (expand variables k)
-      Index i -> Index i
+    filled m = m {topicPattern = expand variables (topicPattern m), typePattern = expand variables (typePattern m)}
     route m =
       Route
         { routeChannel = mappingChannel m,
@@ -231,7 +216,7 @@ decodeFields places message = concat <$> mapM place places
         w <- number (path ++ [Key "w"])
         pure [heading z w]
     fitting path leaf = at path message >>= maybe (Left (spelled path ++ " does not fit")) Right . decodeLeaf leaf
-    number path = at path message >>= maybe (Left (spelled path ++ " is not a number")) Right . numberIn
+    number path = at path message >>= maybe (Left (spelled path ++ " is not a number")) Right . finiteIn
 
 -- | The fields in the numbers of a message, which are in the order of its places; nothing when a place holds something else.
 decodeNumbers :: [Place] -> [Double] -> Maybe [Field]
@@ -250,11 +235,6 @@ heading z w = Number (wrapped (2 * atan2 z w))
       | a <= negate pi = a + 2 * pi
       | otherwise = a
 
-numberIn :: Value -> Maybe Double
-numberIn v = case v of
-  Aeson.Number n -> Just (toRealFloat n)
-  _ -> Nothing
-
 wholeIn :: Value -> Maybe Int
 wholeIn v = case v of
   Aeson.Number n | Right i <- (floatingOrInteger n :: Either Double Integer), abs i < 2 ^ (53 :: Int) -> Just (fromInteger i)
@@ -267,7 +247,7 @@ scaled factor x = if factor < 1 then x / recip factor else x * factor
 -- | The field in a number, a truth or a text; nothing when it does not fit.
 decodeLeaf :: Leaf -> Value -> Maybe Field
 decodeLeaf leaf v = case leaf of
-  ANumber factor -> Number . scaled factor <$> numberIn v
+  ANumber factor -> Number . scaled factor <$> finiteIn v
   AWhole -> Whole <$> wholeIn v
   ATruth -> case v of
     Bool b -> Just (Whole (fromEnum b))

@@ -47,6 +47,8 @@ module Rosy.Core
     Effects (..),
     Effect (..),
     Action (..),
+    Arbiter (..),
+    Side (..),
 
     -- * Topics
     Topic (..),
@@ -279,6 +281,10 @@ data Effects = Nothing' | Then Effect Effects
 -- | One thing a firing does.
 data Effect
   = Act Action
+  | -- | A command that passes these arbiters, the innermost first (rule R25).
+    Arbitrated [Arbiter] Action
+  | -- | One that an arbiter suppresses in this firing.
+    Suppressed [Arbiter] Action
   | Emit Dynamic ~String
   | Remember TypeRep Kept
   | Share TypeRep Kept
@@ -286,6 +292,18 @@ data Effect
     End Dynamic ~String
   | Feed Dynamic ~String
   | StartCall Calling
+
+-- | One side of a 'Rosy.priority' (rule R25).
+data Arbiter = Arbiter
+  { -- | The task in whose controller it stands; nothing when that is the task of the function.
+    arbiterScope :: Maybe ScopeId,
+    -- | Its place in that controller: the positions from the inside to the outside.
+    arbiterPlace :: [Int],
+    arbiterSide :: Side
+  }
+
+-- | The controller that goes before the other, for so many seconds after its last command, or the other one.
+data Side = Leads Double | Follows
 
 -- ---------------------------------------------------------------------------------------------
 -- Topics
@@ -372,7 +390,9 @@ newtype Call = Call Calling
 -- | A task to start, and what to do with what comes out of it.
 data Calling = forall end.
   Calling
-  { callProgram :: ~(Program end),
+  { -- | What the commands of the task pass besides its own arbiters.
+    callArbiters :: [Arbiter],
+    callProgram :: ~(Program end),
     -- | Ends with a value when the task is to be cancelled.
     callCancel :: Maybe Function,
     callFeedback :: Dynamic -> Maybe Function,

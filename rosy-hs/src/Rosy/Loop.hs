@@ -4,7 +4,7 @@
 -- Module      : Rosy.Loop
 -- Description : One deterministic loop: a network and an instant in, firings and commands and the next network out.
 --
--- Implements rules R1 to R11 of rosy-hs/LANGUAGE.md. "Rosy.Model" states the same rules without regard to speed and is authoritative.
+-- Implements rules R1 to R11 and R25 of rosy-hs/LANGUAGE.md. "Rosy.Model" states the same rules without regard to speed and is authoritative.
 -- Everything here is pure. A step comes out as a 'Turn': a chain of firings whose effects are not computed yet, so that
 -- the driver of the loop ("Rosy.Run") can say which function is at work, and catch what it throws, before going on.
 module Rosy.Loop
@@ -43,6 +43,7 @@ import Data.Dynamic (dynTypeRep)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (sortOn)
 import qualified Data.Map.Strict as Map
+import Rosy.Arbitration (Latest (..), isUnheld, overAt, release)
 import Rosy.Channel (Channel (..), Field, Kind (..), tellMessage)
 import Rosy.Core
 import Rosy.Loop.Advance
@@ -79,7 +80,7 @@ begin start program = runStep (advance stepLimit program) world0 resting
           heard = [],
           queue = [],
           emitted = 0,
-          tasks = Tasks {ending = Nothing, fed = [], begun = [], nextScope = 0, cleanups = IntMap.empty, moving = [], turning = ByStart}
+          tasks = Tasks {ending = Nothing, fed = [], begun = [], nextScope = 0, cleanups = IntMap.empty, moving = [], holds = mempty, turning = ByStart}
         }
 
 -- | What an instant is about.
@@ -96,7 +97,16 @@ instant time what (Network running w) = case what of
   where
     at !occurrence !now told =
       let !w' = w {env = now, heard = told, tasks = dropFeedback (tasks w)}
-       in runStep (deliver occurrence running) w' (rounds roundLimit)
+       in runStep (deliver occurrence running) (if isUnheld (holds (tasks w')) then w' else released time w') (rounds roundLimit)
+
+-- | Sends again what second controllers want, where the time of the first ones is over (rule R25).
+released :: Double -> World -> World
+released time w = foldl one w (overAt time (holds (tasks w)))
+  where
+    one v key = case release time key (holds (tasks v)) of
+      Nothing -> v
+      Just (latest, after) -> maybe id sendAgain latest v {tasks = (tasks v) {holds = after}}
+    sendAgain (Latest scope arbiters action) = send scope arbiters action
 
 -- | Stores a state message and the time at which it arrived.
 setState :: Double -> Channel -> [Field] -> Env -> Env

@@ -2,12 +2,12 @@
 -- Module      : Rosy.Model
 -- Description : What a program means: timed happenings in, timed firings and commands out.
 --
--- Executable form of rules R1 to R11 of rosy-hs/LANGUAGE.md: lists, no threads, no I/O, no optimisation. It is authoritative:
+-- Executable form of rules R1 to R11 and R25 of rosy-hs/LANGUAGE.md: lists, no threads, no I/O, no optimisation. It is authoritative:
 -- where the text or the runtime ("Rosy.Loop") disagrees with it, they are corrected. The tests compare the runtime
 -- with 'meaning' on generated programs and happenings.
 --
 -- Read "Rosy.Model.Program" first: what a program is. Then "Rosy.Model.Firing": when a function fires, and what one firing does
--- (rules R1 to R9). Here functions become tasks, and tasks a run (rules R8, R10 and R11).
+-- (rules R1 to R9 and R25). Here functions become tasks, and tasks a run (rules R8, R10 and R11).
 -- "Rosy.Model.Default" gives the first value of a memory of a declared type (rule R7); the memories of the model itself hold numbers.
 --
 -- An __ending__ ('Ending') stops whatever is going on at once, and only clean-ups follow it (rule R11).
@@ -53,7 +53,7 @@ provenance program happenings = reverse (firings (final program happenings))
 final :: Program -> [(Int, Happening)] -> World
 final program happenings = State.execState (runExceptT run >>= either over pure) world0
   where
-    world0 = World 0 Nothing [] [] 0 0 0 [] [] [] Nothing 0 [] [] [] 0 AtStart (addLabel TaskTree (IntSet.singleton 0) noLabels) noPhantoms []
+    world0 = World 0 Nothing [] [] 0 0 0 [] [] [] Nothing [] [] [] 0 [] [] [] 0 AtStart (addLabel TaskTree (IntSet.singleton 0) noLabels) noPhantoms []
     run = case happenings of
       (t, h) : _ | isInstant h -> passTime t >> advance limit program >>= go happenings
       _ -> go happenings (Paused program)
@@ -134,7 +134,7 @@ afterOnce :: Int -> Int -> Program -> [Given] -> Doing Running
 afterOnce scope left rest outputs = do
   turn (After scope)
   _ <- dones noType outputs
-  case [who | Given who (Call _) <- outputs] of
+  case [who | given@(Given who _) <- outputs, not (null (callsIn [given]))] of
     who : _ -> throwE (CalledInOnce who)
     [] -> advance (left - 1) rest
 
@@ -153,7 +153,7 @@ startsNow f = when (mentionsState (input f)) (gets (labelOf Measured . labels) >
 newScope :: Doing Int
 newScope = do
   n <- gets scopes
-  modify (\w -> w {scopes = n + 1})
+  modify (\w -> w {scopes = n + 1, inherited = (n, surrounding w) : inherited w})
   pure n
 
 -- | The start has been carried out; now the controller lives. A function hears what was emitted since the task began.
@@ -178,7 +178,12 @@ against _ x y k = pure (Against x y k)
 
 -- | The tasks that were called.
 callsIn :: [Given] -> [Calling]
-callsIn outputs = [c | Given _ (Call c) <- outputs]
+callsIn = concatMap called'
+  where
+    called' (Given _ out) = case out of
+      Call c -> [c]
+      Arbitrated own (Call c) -> [c {arbiters = arbiters c ++ own}]
+      _ -> []
 
 -- | Start tasks beside the caller.
 begin :: Int -> Int -> [Calling] -> Doing [Called]
@@ -189,7 +194,7 @@ begin left scope callings = do
     one c = do
       outer <- takeFed
       b <- gets emitted
-      r <- advance left (called c)
+      r <- surroundedBy scope (arbiters c) (advance left (called c))
       canceller <- traverse (live scope b . turning') (cancel c)
       fst <$> report scope outer (Called r canceller c)
 
@@ -209,13 +214,14 @@ report scope outer c@(Called r _ calling) = do
   case r of
     Returned v -> do
       turn because
-      out <- atOnce scope (response calling v)
+      out <- atOnce scope (inside (response calling v))
       pure ([], concat told ++ fromMaybe [] out)
     _ -> pure ([c], concat told)
   where
     tell v = case feedback calling v of
       Nothing -> [] <$ modify (\w -> w {fed = fed w ++ [v]})
-      Just f -> turn Feeding >> fromMaybe [] <$> atOnce scope f
+      Just f -> turn Feeding >> fromMaybe [] <$> atOnce scope (inside f)
+    inside f = foldl (flip arbitrated) f (arbiters calling)
 
 -- | Stop all that is live in there, the called first, each clean-up once.
 stop :: Running -> Doing ()
@@ -224,6 +230,8 @@ stop r = case r of
     mapM_ (\(Called inner _ _) -> stop inner) calls
     takeCleanUp scope >>= mapM_ (atOnce scope)
     standStill scope
+    forgetSender scope
+    forgetController scope
   Beside a b _ -> stop a >> stop b
   Against a b _ -> stop a >> stop b
   _ -> pure ()
@@ -303,7 +311,7 @@ work scope o lives calls spec k = leaves lives [] []
       if null out
         then do
           outer <- takeFed
-          inner' <- deliver o inner
+          inner' <- surroundedBy scope (arbiters calling) (deliver o inner)
           (left, told) <- report scope outer (Called inner' canceller' calling)
           more <- startCalled told
           done <- dones (ends spec) told
@@ -322,6 +330,7 @@ work scope o lives calls spec k = leaves lives [] []
       turn (After scope)
       mapM_ (\(Called inner _ _) -> stop inner) others
       _ <- takeCleanUp scope
+      forgetController scope
       advance (limit - 1) (k v)
 
 -- ---------------------------------------------------------------------------------------------
@@ -343,6 +352,7 @@ instant r t h = case h of
     case h of
       Odometry v -> modify (measured v)
       _ -> pure ()
+    release
     deliver (Outside h) r >>= rounds limit >>= \r' -> r' <$ modify (\w -> w {absent = noPhantoms})
   where
     measured v w =

@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Motion
--- Description : Ready-made tasks: closed-loop driving and turning, lights and sounds.
+-- Description : Ready-made tasks: closed-loop driving and turning, chance, lights and sounds.
 --
 -- Ordinary Rosy programs, written with "Rosy.Task" only. A program that defines one of these names uses its own (rule R20).
 --
@@ -10,7 +10,7 @@
 -- >   drive 50
 -- >   turn 90
 --
--- Driving and turning read odometry and end when the robot stands within 5 mm or half a degree of the goal. They do not end while
+-- 'drive' and 'turn' read odometry and end when the robot stands within 5 mm or half a degree of the goal. They do not end while
 -- something blocks the robot; @race (wait 10) (drive 50)@ gives up.
 module Rosy.Motion
   ( -- * Driving
@@ -18,6 +18,15 @@ module Rosy.Motion
     turn,
     driveUntil,
     driveUntilBump,
+    driveBack,
+    turnBetween,
+    goTo,
+    curveUntilObstacle,
+
+    -- * Chance
+    randomNumber,
+    dice,
+    eitherOr,
 
     -- * Lights and sounds
     blink,
@@ -32,6 +41,8 @@ import Rosy.Geometry
 import Rosy.Robot
 import Rosy.Sensor
 import Rosy.Task
+import Rosy.Time
+import System.Random (Random, StdGen, randomR)
 
 -- | Drive so many centimetres ahead (back if negative), keep the heading, and stand still.
 drive :: Centimeters -> Task ()
@@ -89,6 +100,56 @@ driveUntilBump = driveUntil bumped
     bumped :: Bumper -> Maybe (Done BumperSide)
     bumped (Bumper side Pressed) = Just (Done side)
     bumped _ = Nothing
+
+-- | Drive back (0.2 m/s) for so many seconds, and stand still.
+driveBack :: Seconds -> Task ()
+driveBack time = once (Velocity (-0.2) 0) >> wait time >> once (Velocity 0 0)
+
+-- | Turn by a random angle between these two, in degrees: left is positive.
+turnBetween :: Degrees -> Degrees -> Task ()
+turnBetween from to = randomNumber from to >>= turn
+
+-- | Drive to a place and stand still within a centimetre of it. The place is in metres from where the program started: ahead of the robot as it stood
+-- there, and to its left. The robot turns towards the place and drives straight: it does not go round what stands in the way.
+goTo :: Meters -> Meters -> Task ()
+goTo ahead left = taskNamed (Name "goTo") (Name "goTo") () (runGoTo (Position ahead left))
+
+runGoTo :: Position -> Pose -> Velocity -> (Velocity, Maybe (Done ()))
+runGoTo place (Pose here facing) (Velocity v w)
+  | rest < 0.01 = (Velocity 0 0, if abs v < 0.01 && abs w < 0.02 then Just (Done ()) else Nothing)
+  | abs deviation > 0.3 = (Velocity 0 (approach 0.15 1.2 1.5 deviation), Nothing)
+  | otherwise = (Velocity (approach 0.05 0.3 0.4 rest) (2 * deviation), Nothing)
+  where
+    Orientation heading = facing
+    way = positionToVec place `subVec` positionToVec here
+    rest = magnitudeVec way
+    deviation = normRadians (angleVec way - heading)
+
+-- | Drive (0.2 m/s) and turn by so many degrees a second (left is positive) until a bumper is pressed or a cliff sensor sees a hole, and stand still.
+curveUntilObstacle :: Degrees -> Task ()
+curveUntilObstacle turning = do
+  task (Velocity 0.2 (degreesToRadians turning)) obstacle
+  once (Velocity 0 0)
+  where
+    obstacle :: Either Bumper Cliff -> Maybe (Done ())
+    obstacle (Left (Bumper _ Pressed)) = Just (Done ())
+    obstacle (Right (Cliff _ Hole)) = Just (Done ())
+    obstacle _ = Nothing
+
+-- | A random number between these two. The same seed of a run gives the same numbers again (rule R13).
+randomNumber :: Double -> Double -> Task Double
+randomNumber from to = taskNamed (Name "randomNumber") (Name "randomNumber") (draw from to) ()
+
+-- | A random whole number from 1 to this one.
+dice :: Int -> Task Int
+dice sides = taskNamed (Name "dice") (Name "dice") (draw 1 (max 1 sides)) ()
+
+draw :: Random a => a -> a -> StdGen -> Done a
+draw from to gen = Done (fst (randomR (from, to) gen))
+
+-- | One of the two, by chance: each as likely as the other.
+eitherOr :: Task a -> Task a -> Task a
+eitherOr one other = dice 2 >>= \n -> if n == 1 then one else other
 
 -- | Half a second of light in the first LED, half a second without.
 blink :: LedColor -> Task ()

@@ -24,9 +24,10 @@ module Rosy.Problem
 where
 
 import Control.Exception
-import Data.Char (isDigit)
+import Data.Char (isDigit, isSpace)
 import Data.List (isPrefixOf, sortOn)
 import qualified Data.Text as Text
+import Data.Typeable (typeOf)
 import Rosy.Sentence
 import System.IO.Unsafe (unsafePerformIO)
 
@@ -111,7 +112,11 @@ sentence who exception
   | Just (TypeError _) <- fromException exception = ("hole", trWith "{who} came to an empty place." ["who" =@ who], tr "Put a value in it.")
   | Just (RecConError _) <- fromException exception = ("exception", trWith "{who} used a field that was never given a value." ["who" =@ who], tr "Give it one where the value is made.")
   | Just (ErrorCall text) <- fromException exception = errorSentence who (readable text)
-  | otherwise = ("exception", trWith "{who} failed." ["who" =@ who], quoted (firstLine (readable (exceptionMessage exception))))
+  | text <- firstLine (readable (exceptionMessage exception)), not (null text) = ("exception", trWith "{who} failed." ["who" =@ who], quoted text)
+  | otherwise = ("exception", trWith "{who} failed." ["who" =@ who], trWith "It stopped with {exception}, an exception without a text." ["exception" =: typeName exception])
+
+typeName :: SomeException -> Text.Text
+typeName (SomeException exception) = Text.pack (show (typeOf exception))
 
 -- | The words of Haskell, or of the program.
 quoted :: String -> Sentence
@@ -164,6 +169,7 @@ errorSentence who text
     ("exception", trWith "{who} counted past the last value of a type." ["who" =@ who], tr "Check first that there is a next one.")
   | "Negative exponent" `isPrefixOf` text =
     ("exception", trWith "{who} raised a number to a negative power with ^." ["who" =@ who], tr "Use ** for that.")
+  | null (firstLine text) = ("exception", trWith "{who} called error with an empty text." ["who" =@ who], tr "Say in the text what went wrong.")
   | otherwise = ("exception", trWith "{who} stopped with an error: {text}" ["who" =@ who, "text" =: Text.pack (firstLine text)], verbatim "")
   where
     needle `elem'` hay = any (needle `isPrefixOf`) (suffixes hay)
@@ -218,5 +224,6 @@ readable = unsafePerformIO . upTo longestMessage
 longestMessage :: Int
 longestMessage = 2000
 
+-- | The first line that is not blank; empty without one.
 firstLine :: String -> String
-firstLine = takeWhile (/= '\n') . take 300
+firstLine = takeWhile (/= '\n') . take 300 . dropWhile isSpace

@@ -38,6 +38,8 @@ data Robot = Robot
     robotHeld :: [(Channel, [Field])],
     -- | Highest speed, m\/s, and turn, rad\/s.
     robotLimits :: (Double, Double),
+    -- | Highest speed of a wheel, m\/s, and the distance between the wheels, m, of a robot for which both are documented.
+    robotWheels :: Maybe (Double, Double),
     -- | The sensors that measure only while a program listens.
     robotOnDemand :: [Channel],
     -- | Packets on a serial line, by channel; none when it has no serial line.
@@ -122,7 +124,7 @@ data Leaf
     ACode [(Int, Text)]
   deriving (Eq, Show)
 
--- | A step from the top of a message to a field. A key may contain variables of a profile; an empty key is no step.
+-- | A step from the top of a message to a field.
 data Step = Key Text | Index Int
   deriving (Eq, Show)
 

@@ -169,13 +169,16 @@ recorded w firing branches = (w'' {firings = number + 1, latestIn = IntMap.inser
       FromGenerator -> (v {generatorsRead = generatorsRead v + 1}, Input (AGenerator (generatorsRead v)) text)
     (w'', outputs) = through output w' (listed (firingEffects firing))
     output v effect = case effect of
-      Act action@(Action channel _) -> (v, Output (ACommand (channelName channel)) (tellAction action))
+      Act action -> (v, commanded action)
+      Arbitrated _ action -> (v, commanded action)
+      Suppressed _ action -> (v, commanded action)
       Emit value text -> (v {emissions = emissions v + 1, emitters = IntMap.insert (emissions v) number (snd (IntMap.split (emissions v - keptEmitters) (emitters v)))}, Output (AnEmission (show (dynTypeRep value)) (emissions v)) text)
       Remember what (Kept _ text) -> typed v what (\u name -> (u {writers = Map.insert (Just scope, what) number (writers u)}, Output (IntoMemory name) text))
       Share what (Kept _ text) -> typed v what (\u name -> (u {writers = Map.insert (Nothing, what) number (writers u)}, Output (IntoParam name) text))
       End _ text -> (v, Output ADone text)
       Feed _ text -> (v {latestFeedback = Just number}, Output AFeedback text)
       StartCall _ -> (v, Output ACall "")
+    commanded action@(Action channel _) = Output (ACommand (channelName channel)) (tellAction action)
     listed effects = case effects of
       Nothing' -> []
       Then (End value _) rest | isMark value -> listed rest

@@ -126,7 +126,7 @@ commandsIn :: Effects -> Int
 commandsIn = go 0
   where
     go !n Nothing' = n
-    go !n (Then effect rest) = go (case effect of Act _ -> n + 1; _ -> n) rest
+    go !n (Then effect rest) = go (case effect of Act _ -> n + 1; Arbitrated _ _ -> n + 1; _ -> n) rest
 
 -- | What was done in a step.
 answerOf :: Batch -> Done -> Report -> Answer

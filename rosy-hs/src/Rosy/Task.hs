@@ -185,7 +185,8 @@ callNamed ::
 callNamed names called options =
   Call
     Calling
-      { callProgram = runTask called Return,
+      { callArbiters = [],
+        callProgram = runTask called Return,
         callCancel = Just (single cancelName "cancel of a call" (cancels . cancelOn options)),
         callFeedback = fmap (single feedbackName "feedback of a call" . onFeedback options) . fromDynamic,
         callResponse = single endName "end of a call" . onEnd options

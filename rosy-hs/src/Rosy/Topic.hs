@@ -56,7 +56,7 @@ import qualified Data.ByteString.Base64 as Base64
 import qualified Data.ByteString.Lazy as Lazy
 import Data.Foldable (toList)
 import Data.Maybe (maybeToList)
-import Data.Scientific (floatingOrInteger, fromFloatDigits, toRealFloat)
+import Data.Scientific (floatingOrInteger, fromFloatDigits)
 import qualified Data.Text as Text
 import qualified Data.Text.Encoding as Text
 import qualified Data.Vector as Vector
@@ -64,6 +64,7 @@ import Rosy.Channel (Action (..), Channel (..), Field (Structure), Kind (..), Me
 import qualified Rosy.Channel as Channel
 import Rosy.Core (Effect (Act), Effects (Then), Plan (..), Sense (..), Topic (..), TopicUse (..), channelInterest, channelLimit)
 import qualified Rosy.Core as Core
+import Rosy.JsonNumber (doubleIn)
 import Rosy.Problem (Fault (NotANumber, Unreadable))
 import Rosy.Sense (convert, event)
 import qualified Rosy.Value as Rosy
@@ -165,9 +166,7 @@ instance FieldType Int where
     _ -> Nothing
 
 instance FieldType Double where
-  fromMessage v = case v of
-    Number n -> Just (toRealFloat n)
-    _ -> Nothing
+  fromMessage = doubleIn
 
 -- | Some senders write 0 and 1.
 instance FieldType Bool where

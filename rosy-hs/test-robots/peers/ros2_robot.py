@@ -4,8 +4,9 @@ Stand-ins for two ROS 2 robots behind a rosbridge server: an iRobot Create 3 and
 Written from the message definitions of irobot_create_msgs, turtlebot3_msgs and ROS 2's common packages, from create3_docs and from turtlebot3_node;
 it shares nothing with Rosy's own description of these robots.
 
-In: the robot as the argument, frames from one client at a time, and on standard input `send TOPIC JSON`, `stream TOPIC JSON`, `hazard TYPE FRAME on|off`,
-`button NAME on|off`, `mark`, `quit`. Out: on standard output `port N`, `advertised TOPIC TYPE`, `subscribed TOPIC TYPE`, `got TOPIC JSON`,
+In: the robot as the first argument, frames from one client at a time, and on standard input `send TOPIC JSON`, `stream TOPIC JSON`, `hazard TYPE FRAME on|off`,
+`button NAME on|off`, `appear`, `mark`, `quit`. Further arguments: `stamped`, its velocities have a time; `iron`, they have it on /cmd_vel_stamped; `late`, the robot
+is absent until `appear`, and what was subscribed before hears nothing, because its publishers are best effort (rosbridge_library, internal/subscribers.py). Out: on standard output `port N`, `advertised TOPIC TYPE`, `subscribed TOPIC TYPE`, `got TOPIC JSON`,
 `called SERVICE JSON`, `rejected WHY`, and `watchdog`, `marked` and `stood SECONDS` as rosbridge.py. Only a Create 3 has a watchdog: turtlebot3_node
 keeps the last velocity for as long as it runs itself. What rosbridge_suite refuses is refused: unknown types, topics, services and fields, 1.0 for an
 integer, numbers out of range, arrays of another length.
@@ -41,6 +42,8 @@ MESSAGES = {
     "sensor_msgs/BatteryState": "std_msgs/Header header, float32 voltage, float32 temperature, float32 current, float32 charge, float32 capacity, "
     "float32 design_capacity, float32 percentage, uint8 power_supply_status, uint8 power_supply_health, uint8 power_supply_technology, "
     "bool present, float32[] cell_voltage, float32[] cell_temperature, string location, string serial_number",
+    "sensor_msgs/LaserScan": "std_msgs/Header header, float32 angle_min, float32 angle_max, float32 angle_increment, float32 time_increment, "
+    "float32 scan_time, float32 range_min, float32 range_max, float32[] ranges, float32[] intensities",
     "irobot_create_msgs/HazardDetection": "std_msgs/Header header, uint8 type",
     "irobot_create_msgs/HazardDetectionVector": "std_msgs/Header header, irobot_create_msgs/HazardDetection[] detections",
     "irobot_create_msgs/Button": "std_msgs/Header header, bool is_pressed, "
@@ -66,13 +69,17 @@ SENSORS = {
             "/dock_status": "irobot_create_msgs/DockStatus",
         }
         if CREATE3
-        else {"/sensor_state": "turtlebot3_msgs/SensorState"}
+        else {
+            "/sensor_state": "turtlebot3_msgs/SensorState",
+            "/scan": "sensor_msgs/LaserScan",
+        }
     ),
 }
+STAMPED = "stamped" in sys.argv or "iron" in sys.argv
 COMMANDS = {
-    "/cmd_vel": "geometry_msgs/TwistStamped"
-    if "stamped" in sys.argv
-    else "geometry_msgs/Twist",
+    "/cmd_vel_stamped"
+    if "iron" in sys.argv
+    else "/cmd_vel": "geometry_msgs/TwistStamped" if STAMPED else "geometry_msgs/Twist",
     **(
         {
             "/cmd_lightring": "irobot_create_msgs/LightringLeds",
@@ -98,7 +105,9 @@ INTEGERS = {
 }
 
 client = None
-advertised, subscribed = {}, set()
+present = ["late" not in sys.argv]
+# Topics that the client has subscribed to, and those of them that it hears.
+advertised, subscribed, audible = {}, set(), set()
 hazards, buttons = {}, {"button_1": False, "button_power": False, "button_2": False}
 last_moving, marking, marked = [None], [False], [None]
 
@@ -171,7 +180,12 @@ def on_frame(frame):
         if kind not in MESSAGES or SENSORS.get(topic, kind) != kind:
             return say("rejected", f"subscribe {topic} {message.get('type')}")
         subscribed.add(topic)
+        if present[0]:
+            audible.add(topic)
         say("subscribed", topic, message["type"])
+    elif op == "unsubscribe":
+        subscribed.discard(topic)
+        audible.discard(topic)
     elif op == "publish":
         why = (
             fault(message["msg"], advertised[topic])
@@ -180,9 +194,20 @@ def on_frame(frame):
         )
         if why:
             return say("rejected", f"publish {topic}: {why}")
-        if topic == "/cmd_vel":
+        if topic.startswith("/cmd_vel"):
             drive(message["msg"].get("twist", message["msg"]))
         say("got", topic, json.dumps(message["msg"]))
+    elif op == "call_service" and message["service"] == "/rosapi/topic_type":
+        kind = COMMANDS.get(message["args"]["topic"], "") if present[0] else ""
+        values = {"type": kind.replace("/", "/msg/")}
+        answer = {
+            "op": "service_response",
+            "service": "/rosapi/topic_type",
+            "values": values,
+            "result": True,
+            "id": message["id"],
+        }
+        return answer
     elif op == "call_service":
         kind, request = SERVICES.get(message["service"], (None, ""))
         why = (
@@ -227,9 +252,12 @@ async def serve(socket, *_path):
     client = socket
     advertised.clear()
     subscribed.clear()
+    audible.clear()
     try:
         async for frame in socket:
-            on_frame(frame)
+            answer = on_frame(frame)
+            if answer:
+                await socket.send(json.dumps(answer))
     except websockets.ConnectionClosed:
         pass
     say("left")
@@ -238,7 +266,7 @@ async def serve(socket, *_path):
 async def publish(topic, message):
     if why := fault(message, SENSORS[topic]):
         raise SystemExit(f"this robot cannot say {topic} {message}: {why}")
-    if client is not None and topic in subscribed:
+    if client is not None and present[0] and topic in audible:
         try:
             await client.send(
                 json.dumps({"op": "publish", "topic": topic, "msg": message})
@@ -317,6 +345,8 @@ async def main():
                 name, on = rest.split()
                 buttons[name] = on == "on"
                 await sense()
+            elif word == "appear":
+                present[0] = True
             elif word == "mark":
                 marking[0] = True
                 mark()

@@ -100,6 +100,12 @@ def on_frame(frame):
             return say("rejected", f"subscribe {topic} {message.get('type')}")
         subscribed.add(topic)
         say("subscribed", topic, message["type"])
+    elif op == "unsubscribe":
+        subscribed.discard(topic)
+    elif op == "call_service" and message["service"] == "/rosapi/topic_type":
+        kind = "geometry_msgs/msg/Twist" if ROS2 else "geometry_msgs/Twist"
+        values = {"type": kind if message["args"]["topic"] == f"{PREFIX}/commands/velocity" else ""}
+        return {"op": "service_response", "service": "/rosapi/topic_type", "values": values, "result": True, "id": message["id"]}
     elif op == "publish":
         if topic not in advertised:
             return say("rejected", f"publish {topic} without a type")
@@ -127,7 +133,9 @@ async def serve(socket, *_path):
     subscribed.clear()
     try:
         async for frame in socket:
-            on_frame(frame)
+            answer = on_frame(frame)
+            if answer:
+                await socket.send(json.dumps(answer))
     except websockets.ConnectionClosed:
         pass
     say("left")

@@ -66,6 +66,7 @@ type Body = [[Template]]
 data Template
   = TCommand Int
   | TDrive Int
+  | TLight Int
   | TWrite String
   | TShare String
   | TEmit String
@@ -78,6 +79,7 @@ instance Show Template where
   showsPrec d t = case t of
     TCommand n -> showString "command " . shows n
     TDrive n -> showString "drive " . shows n
+    TLight n -> showString "light " . shows n
     TWrite m -> showString "write " . showString m
     TShare m -> showString "share " . showString m
     TEmit e -> showString "emit " . showString e
@@ -93,6 +95,7 @@ bodyOf choices v = concatMap out (choices !! (weight v `mod` length choices))
     out t = case t of
       TCommand n -> [Command (Int (n + weight v))]
       TDrive n -> [Drive (if even (weight v) then n else 0)]
+      TLight n -> [Light ((n + weight v) `mod` 4)]
       TWrite m -> [Write m small]
       TShare m -> [Share m small]
       TEmit e -> [Emit e small]
@@ -109,11 +112,12 @@ weight v = case v of
   InRight w -> 5 + weight w
   Tuple vs -> sum (zipWith (*) [1 ..] (map weight vs))
 
-data AFunction = AFunction String Input Body
+-- | The last are its arbiters, the innermost first.
+data AFunction = AFunction String Input Body [Arbiter]
   deriving (Show)
 
 fromA :: AFunction -> Function
-fromA (AFunction n i b) = Function n i (concatMap outletsOf (concat b)) (bodyOf b)
+fromA (AFunction n i b own) = foldl (flip arbitrated) (Function n i (concatMap outletsOf (concat b)) (bodyOf b)) own
   where
     outletsOf t = case t of
       TWrite m -> [MayWrite m]
@@ -127,7 +131,7 @@ fromA (AFunction n i b) = Function n i (concatMap outletsOf (concat b)) (bodyOf 
 -- | A program as it was generated. What follows a value is chosen without looking at it, except for being told.
 data ATask
   = AReturn
-  | ATask Type (Maybe AFunction) [AFunction] [ATask] (Maybe AFunction) ATask
+  | ATask Type (Maybe AFunction) [AFunction] [([Arbiter], ATask)] (Maybe AFunction) ATask
   | AOnce AFunction ATask
   | AWait Int ATask
   | ABoth ATask ATask ATask
@@ -147,17 +151,19 @@ programOf v a = case a of
 callOf :: ATask -> Calling
 callOf task =
   Calling
-    { called = programOf (Int 0) task,
+    { arbiters = [],
+      called = programOf (Int 0) task,
       cancel = Just (Function "cancel" (Event "Button") [MayTurn] (\v -> [Done "Value" v | v == Int 0])),
       feedback = \v -> if even (weight v) then Just (Function "feedback" (All []) [] (const [Command v])) else Nothing,
       response = \v -> Function "end" (Memory "M0") [] (\m -> [Command (Tuple [v, m])])
     }
 
 -- | A task of a controller: what it ends with is ignored.
-besideOf :: ATask -> Calling
-besideOf task =
+besideOf :: ([Arbiter], ATask) -> Calling
+besideOf (own, task) =
   Calling
-    { called = programOf (Int 0) task,
+    { arbiters = own,
+      called = programOf (Int 0) task,
       cancel = Nothing,
       feedback = const Nothing,
       response = const (Function "end of a task" (All []) [] (const []))
@@ -170,7 +176,7 @@ aFunction manners inTask depth label = do
   i <- anInput 2
   n <- choose (1, 3)
   choices <- vectorOf n (choose (0, 3) >>= flip vectorOf (template (if speaks manners then emits i else [])))
-  pure (AFunction label i choices)
+  pure (AFunction label i choices [])
   where
     -- Events that make events would multiply beyond counting in 64 rounds; 'endless' is the test of those.
     emits i
@@ -181,6 +187,7 @@ aFunction manners inTask depth label = do
       frequency $
         [ (4, TCommand <$> choose (0, 100)),
           (2, TDrive <$> choose (1, 3)),
+          (1, TLight <$> choose (0, 3)),
           (2, TWrite <$> elements ["M0", "M1"]),
           (1, TShare <$> elements ["M0", "M1"])
         ]
@@ -205,9 +212,27 @@ controllers :: Gen Shown
 controllers = do
   n <- choose (1, 4)
   fs <- mapM (aFunction (Manners True False) False 0 . ("f" ++) . show) [1 .. n :: Int]
-  ts <- besideTasks (Manners True False) 2
-  let a = ATask "Nothing" Nothing fs ts Nothing AReturn
+  (fs', ts) <- withPriorities fs =<< besideTasks (Manners True False) 2
+  let a = ATask "Nothing" Nothing fs' ts Nothing AReturn
   pure (Shown (show a) (programOf (Int 0) a))
+
+-- | A controller of these functions and tasks, in every second one with priorities between its parts, nested or not.
+withPriorities :: [AFunction] -> [ATask] -> Gen ([AFunction], [([Arbiter], ATask)])
+withPriorities fs ts = do
+  placed <- oneof [pure [], arbitersFor 2 0 (length fs + length ts)]
+  let at i = [a | (j, a) <- placed, j == i]
+  pure ([AFunction n i b (at k) | (k, AFunction n i b _) <- zip [0 ..] fs], [(at k, t) | (k, t) <- zip [length fs ..] ts])
+
+-- | For so many parts their arbiters, the innermost first, with numbers from the given one on. The deeper ones have greater numbers.
+arbitersFor :: Int -> Int -> Int -> Gen [(Int, Arbiter)]
+arbitersFor depth number n
+  | depth == 0 || n < 2 = pure []
+  | otherwise = do
+    held <- elements [0, 20, 47, 100, 1000]
+    split <- choose (1, n - 1)
+    first' <- arbitersFor (depth - 1) (2 * number + 1) split
+    second <- arbitersFor (depth - 1) (2 * number + 2) (n - split)
+    pure (first' ++ [(split + i, a) | (i, a) <- second] ++ [(i, Arbiter number (if i < split then Leads held else Follows)) | i <- [0 .. n - 1]])
 
 -- | Tasks among the functions of a controller, in one of three.
 besideTasks :: Manners -> Int -> Gen [ATask]
@@ -244,7 +269,8 @@ aTask manners depth
       c <- frequency [(1, pure Nothing), (2, Just <$> aFunction manners False 0 "stopped")]
       t <- if fails manners then elements ["Value", "Value", "Other"] else pure "Value"
       ts <- besideTasks manners {speaks = False} (depth - 1)
-      ATask t s fs ts c <$> aTask manners (depth - 1)
+      (fs', ts') <- withPriorities fs ts
+      ATask t s fs' ts' c <$> aTask manners (depth - 1)
 
 -- | Two functions that feed each other, and one that listens.
 endless :: Program

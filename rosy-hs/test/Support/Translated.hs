@@ -17,6 +17,7 @@ where
 
 import Control.Monad ((>=>))
 import Data.Dynamic (fromDynamic)
+import qualified Rosy.Arbitration as R
 import qualified Rosy.Command as R
 import qualified Rosy.Core as R
 import qualified Rosy.Loop as R
@@ -161,6 +162,8 @@ effectsOf = foldr one R.Nothing'
     one out = case out of
       Command v -> giving (R.Say (show v))
       Drive v -> giving (R.Velocity (fromIntegral v) 0)
+      Light v -> giving (R.Led1 (toEnum v))
+      Arbitrated own o -> (R.throughArbiters (map arbiterOf own) (effectsOf [o]) `before`)
       Write "M0" v -> giving (R.Memory (M0 v))
       Write _ v -> giving (R.Memory (M1 v))
       Share "M0" v -> giving (R.Param (M0 v))
@@ -173,10 +176,20 @@ effectsOf = foldr one R.Nothing'
       Feedback v -> giving (R.Feedback v)
       Call c -> giving (R.Call (callingOf c))
 
+    before effects rest = case effects of
+      R.Nothing' -> rest
+      R.Then effect more -> R.Then effect (before more rest)
+
+arbiterOf :: Arbiter -> R.Arbiter
+arbiterOf (Arbiter n side) = R.Arbiter Nothing [n] $ case side of
+  Leads t -> R.Leads (fromIntegral t / 1000)
+  Follows -> R.Follows
+
 callingOf :: Calling -> R.Calling
 callingOf c =
   R.Calling
-    { R.callProgram = translated (called c),
+    { R.callArbiters = map arbiterOf (arbiters c),
+      R.callProgram = translated (called c),
       R.callCancel = cancelling <$> cancel c,
       R.callFeedback = fromDynamic >=> fmap functionOf . feedback c,
       R.callResponse = functionOf . response c

@@ -1,7 +1,7 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
 ``memory``, ``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``,
-``attacks [--seconds S] [--only WORDS]``, and
+``attacks [--seconds S] [--only WORDS] [--small]``, and
 ``cluster [--programs N] [--rooms N] [--pupils N] [--seconds S] [--rounds N]``.
 """
 
@@ -32,6 +32,7 @@ def main() -> int:
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
     parser.add_argument("--only", default="", help="attacks whose titles have this in them")
+    parser.add_argument("--small", action="store_true", help="attacks of few pages on few, each once")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
     parser.add_argument("--pupils", type=int, default=30, help="of the class")
     parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind, or windows of time")
@@ -49,8 +50,7 @@ def main() -> int:
             recording.report(config, options.pages, options.seconds)
             return 0
         if options.name == "attacks":
-            under_attack.report(config, options.seconds, options.only)
-            return 0
+            return 0 if under_attack.report(config, options.seconds, options.only, options.small) else 1
         if options.name == "cluster":
             return cluster.report(options)
         if options.name == "class":

@@ -1,6 +1,9 @@
 """
 Real programs in lockstep at ``max``: times real time, the Haskell process included, beside the machine's bare round
 trip, which a step costs at least in which the program is asked and both share a core.
+
+Two quiet cores, bare round trip 20 to 30 µs, times real time: a task with pauses 2,000 to 2,650, events 1,180 to 1,920,
+the default rate 945 to 1,270, 50 Hz 376 to 591 (goal 500).
 """
 
 from __future__ import annotations

@@ -4,6 +4,9 @@ What it costs to record the firings of a run with their provenance: processor ti
 The same programs drive in the same pages without being observed, observed, and observed with their firings sent to the
 page, in short turns one after the other. Each round has a share of its own, of turns that follow each other at once;
 the median of the shares and their quartiles are printed.
+
+The goal is 15 % for observing. Two cores, 30 rounds: 10.6 % for 8 pages and 11.3 % for 32; 16 to 18 % with firings
+sent.
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@ Memory of a service at rest: of `./rosy start` when it is ready and computes not
 
 Pages of memory that several processes share count for each by its share (the kernel's ``Pss``). What no file backs is
 told beside it: the rest are programs and libraries, which the system may drop and read again.
+
+GHC 9.0: 244 MB in all (goal 250), 140 to 144 MB without a file; GHC 9.6: 145 MB without a file.
 """
 
 from __future__ import annotations
@@ -14,6 +16,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import psutil
+
+from ..text_lines import text_lines
 
 __all__ = ["GOAL", "Share", "at_rest", "report", "share_of"]
 
@@ -40,9 +44,7 @@ class Share:
 
 def share_of(rollup: str, name: str) -> Share:
     """What a process has, by proc(5), ``smaps_rollup``, in kB."""
-    figures = {
-        key: words[1] for key, *words in (line.replace(":", " :", 1).split() for line in rollup.splitlines()[1:])
-    }
+    figures = {key: words[1] for key, *words in (line.replace(":", " :", 1).split() for line in text_lines(rollup)[1:])}
     kilobytes = {key: int(figures[key]) for key in ("Pss", "Pss_File")}
     return Share(name, kilobytes["Pss"] / 1024, (kilobytes["Pss"] - kilobytes["Pss_File"]) / 1024)
 

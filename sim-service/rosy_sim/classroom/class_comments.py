@@ -38,6 +38,10 @@ class ClassComments:
         # By their numbers, oldest first.
         self._comments = {one.id: one for one in store.comments.comments()}
 
+    def reload(self, comments: list[CommentKept]) -> None:
+        """Take over the comments that are stored now, oldest first: they belong to other pupils than before."""
+        self._comments = {one.id: one for one in comments}
+
     def of_pupil(self, pupil: int) -> list[OwnComment]:
         """The comments on the programs of a pupil, oldest first."""
         return [_shown(one) for one in self._comments.values() if one.pupil == pupil]

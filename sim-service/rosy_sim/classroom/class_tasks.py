@@ -12,6 +12,7 @@ from dataclasses import replace
 import msgspec
 
 from ..wire.page.room_tests import TestedRoom
+from .lesson_checks import lesson_of
 from .messages import board_messages as b
 from .messages import pupil_messages as p
 from .messages.check_messages import CheckAll, CheckResult
@@ -45,6 +46,10 @@ class ClassTasks:
         # By task and pupil, oldest first.
         self._hand_ins = {(one.task, one.pupil): one for one in store.tasks.hand_ins()}
 
+    def reload(self, hand_ins: list[HandIn]) -> None:
+        """Take over the hand-ins that are stored now, oldest first: they belong to other pupils than before."""
+        self._hand_ins = {(one.task, one.pupil): one for one in hand_ins}
+
     # Pupils
 
     def of_pupil(self, pupil: int) -> p.OwnTasks | None:
@@ -75,17 +80,21 @@ class ClassTasks:
         if task is None or not task.is_open(now):
             return False
 
+        lesson = lesson_of(request.text)
+
         def store_it(store: ClassStore) -> str:
             # In the thread of the store: a long program takes a while to read.
             made = fingerprint(source_of(request.text))
-            store.tasks.hand_in(request.task, pupil, request.name, request.text, now, made)
+            store.tasks.hand_in(request.task, pupil, request.name, request.text, now, made, lesson)
             return made
 
         made = await self._thread.call(store_it)
         # The comment may have changed meanwhile. The newest hand-in is the last one of the dictionary.
         before = self._hand_ins.pop((request.task, pupil), None)
         comment = "" if before is None else before.comment
-        self._hand_ins[request.task, pupil] = HandIn(request.task, pupil, now, request.name, comment, made)
+        self._hand_ins[request.task, pupil] = HandIn(
+            request.task, pupil, now, request.name, comment, made, lesson=lesson
+        )
         return True
 
     # The board
@@ -103,7 +112,9 @@ class ClassTasks:
         for one in self._hand_ins.values():
             if one.task in tasks:
                 alike = [pupil for pupil in alike_in[one.task].get(one.fingerprint, []) if pupil != one.pupil]
-                tasks[one.task].handed_in.append(b.HandedIn(one.pupil, one.at, one.name, one.comment, alike))
+                tasks[one.task].handed_in.append(
+                    b.HandedIn(one.pupil, one.at, one.name, one.comment, alike, one.lesson)
+                )
         return b.BoardTasks(list(tasks.values()))
 
     def alike(self, task: int) -> dict[str, list[int]]:

@@ -14,16 +14,16 @@ import tempfile
 import time
 from collections.abc import Callable, Iterator
 from contextlib import ExitStack, closing
-from dataclasses import dataclass, field
 from typing import IO
 
 from ..sentences.sentence import Sentence, tr
 from ..sentences.wording import in_terminal
 from .authentication import Authenticator
 from .class_comments import ClassComments
-from .class_export import write_export
+from .class_roster import ClassRoster, Member, PupilPage
 from .class_tasks import ClassTasks
-from .hand_in_export import hand_ins_zip
+from .exports.class_export import write_export
+from .exports.hand_in_export import hand_ins_zip
 from .messages import board_messages as b
 from .messages import pupil_messages as p
 from .messages.check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
@@ -31,42 +31,21 @@ from .messages.message_fields import Refused
 from .messages.projector_messages import Project, Projected
 from .messages.shared_messages import AskToShare, Cursor, Decline, EndSharing, Push, Share
 from .projection import Projection
-from .pupil_state import PupilState
+from .pupil_state import PupilState, RunClock
 from .shared_editing import Participant, SharedEditing
 from .store.class_store import ClassStore, Conflict, Pupil, Saved, StoreFull, Version
+from .store.comment_store import CommentKept
 from .store.database import ClassTaken, StoreAway, StoreError, StoreFault, fault_of
+from .store.progress_store import LessonDone
 from .store.store_thread import StoreThread
+from .store.task_store import HandIn
 
-__all__ = ["Classroom", "PupilPage"]
+__all__ = ["Classroom"]
 
 _PAUSE, _PAUSE_AWAY = 5.0, 1.0
 """Between looks whether the database server is there, and when it was not, s."""
 
 _log = logging.getLogger(__name__)
-
-
-@dataclass(eq=False, slots=True)
-class PupilPage:
-    """The connection of a pupil's page. ``put`` sends an answer and never blocks."""
-
-    address: str
-    put: Callable[[p.PupilAnswer], None]
-    # Set by `join`, `resume` or `enter`.
-    pupil: Pupil | None = None
-    token: str | None = field(default=None, repr=False)
-    # The page session whose room the board shows.
-    session: str | None = None
-
-
-@dataclass(slots=True)
-class _Member:
-    """A pupil as the board shows it."""
-
-    pupil: Pupil
-    state: PupilState
-    # Name of the program that was changed last, and when, in s since 1970.
-    program: str | None = None
-    changed: float | None = None
 
 
 class Classroom:
@@ -84,25 +63,22 @@ class Classroom:
         self.addresses = addresses
         self.now = now
         self.attention: str | None = None
+        self._run_clock = RunClock(now())
         self._store = StoreThread(store)
         self.authenticator = Authenticator(self.admission, self._store, now)
+        # The last suspension of the service.
+        self.suspended: b.Suspended | None = None
         # The last save found the disk full or broken.
         self._disk_fault = False
         self.tasks = ClassTasks(store, self._store, time.time)
         self.comments = ClassComments(store, self._store, time.time)
         self.projection = Projection(self._newest_program)
-        self.pages: set[PupilPage] = set()
         self.sharing = SharedEditing(self._participants)
         # The newest one for each pupil, and the newest one for those without one of their own.
         self._handouts: dict[int, p.Handout] = {}
         self._handout: p.Handout | None = None
-        self._members: dict[int, _Member] = {}
-        for pupil in store.pupils():
-            latest = next(iter(store.programs(pupil.id)), None)
-            member = _Member(pupil, PupilState())
-            if latest is not None:
-                member.program, member.changed = latest.name, latest.at
-            self._members[pupil.id] = member
+        self._progress = {(one.pupil, one.lesson): one for one in store.progress.all()}
+        self.roster = ClassRoster(store, self._store, self.authenticator, self, now)
 
     async def keep_store(self) -> Sentence:
         """
@@ -137,15 +113,15 @@ class Classroom:
 
     def leave(self, page: PupilPage) -> None:
         """A page has disconnected."""
-        self.pages.discard(page)
+        self.roster.pages.discard(page)
         if page.pupil is not None:
-            self._members[page.pupil.id].state.disconnect(id(page), self.now())
+            self.roster.members[page.pupil.id].state.disconnect(id(page), self.now())
             self.sharing.page_left(page.pupil.id, page)
 
     def pages_to_show(self) -> Iterator[PupilPage]:
         """The pages of all pupils; of a pupil with several, the page whose room the board shows comes first."""
-        connected = {id(page): page for page in self.pages}
-        for member in self._members.values():
+        connected = {id(page): page for page in self.roster.pages}
+        for member in self.roster.members.values():
             for page in member.state.in_order():
                 if page in connected:
                     yield connected[page]
@@ -154,9 +130,12 @@ class Classroom:
         """Serve a request of a pupil's page."""
         try:
             if page.pupil is None:
+                if page.is_removed and not isinstance(request, p.Join | p.Resume | p.Enter):
+                    # It was sent before the page knew.
+                    return
                 await self._admit(page, request)
             else:
-                await self._serve_member(page, self._members[page.pupil.id], request)
+                await self._serve_member(page, self.roster.members[page.pupil.id], request)
         except StoreError as error:
             _log.error("%s", in_terminal(tr("The class cannot be stored: {why}", why=error)))
             fault = fault_of(error)
@@ -177,13 +156,24 @@ class Classroom:
         await self._enter(page, admitted.pupil, admitted.token if admitted.is_new else None)
 
     async def _enter(self, page: PupilPage, pupil: Pupil, token: str | None) -> None:
-        programs = await self._store.call(ClassStore.programs, pupil.id)
-        member = self._members.setdefault(pupil.id, _Member(pupil, PupilState()))
-        page.pupil = pupil
-        self.pages.add(page)
+        # The pupil may have been removed, renamed or merged with another entry meanwhile.
+        entering = await self._store.call(_entering, pupil.id)
+        if entering is None:
+            page.put(Refused("removed"))
+            return
+        pupil, programs = entering
+        member = self.roster.members.setdefault(pupil.id, Member(pupil, PupilState()))
+        page.pupil, page.is_removed = pupil, False
+        self.roster.pages.add(page)
         member.state.connect(id(page), self.now())
+        self.show_entered(page, member, programs, token)
+
+    def show_entered(self, page: PupilPage, member: Member, programs: list[Version], token: str | None = None) -> None:
+        """What a page is told when its pupil is let in, and when it belongs to another entry of the pupil."""
+        pupil = member.pupil
         names = [p.ProgramName(v.program, v.name, v.number, v.at) for v in programs]
-        page.put(p.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names))
+        progress = {one.lesson: one.done for one in self._progress.values() if one.pupil == pupil.id}
+        page.put(p.Entered(pupil.id, pupil.nickname, pupil.words, token, member.state.hand, names, progress))
         self._show_tasks(page)
         if comments := self.comments.of_pupil(pupil.id):
             page.put(p.OwnComments(comments))
@@ -193,11 +183,13 @@ class Classroom:
             page.put(handout)
         self.sharing.page_entered(pupil.id, _participant(page))
 
-    async def _serve_member(self, page: PupilPage, member: _Member, request: p.PupilRequest) -> None:
+    async def _serve_member(self, page: PupilPage, member: Member, request: p.PupilRequest) -> None:
         match request:
             case p.Here():
                 page.session = request.session
             case p.Status():
+                if request.running and not member.state.running:
+                    self._run_clock.run_begins(self._states(), self.now())
                 member.state.report(id(page), request, self.now())
             case p.Hand():
                 member.state.hand = request.up
@@ -205,6 +197,8 @@ class Classroom:
                 await self._save(page, member, request)
             case p.HandIn():
                 await self._hand_in(page, member, request)
+            case p.Progress():
+                await self._add_progress(member.pupil.id, request)
             case p.CommentDone():
                 if await self.comments.set_done(member.pupil.id, request.comment, request.done):
                     self._show_comments(member.pupil.id)
@@ -225,7 +219,7 @@ class Classroom:
             case p.Join() | p.Resume() | p.Enter():
                 page.put(Refused("request"))
 
-    async def _save(self, page: PupilPage, member: _Member, request: p.Save) -> None:
+    async def _save(self, page: PupilPage, member: Member, request: p.Save) -> None:
         saved = await self._store.call(
             ClassStore.save,
             member.pupil.id,
@@ -248,7 +242,27 @@ class Classroom:
             case StoreFull():
                 page.put(p.SaveFailed(request.program, request.mark, "full"))
 
-    async def _hand_in(self, page: PupilPage, member: _Member, request: p.HandIn) -> None:
+    async def _add_progress(self, pupil: int, request: p.Progress) -> None:
+        known = self._progress.get((pupil, request.lesson))
+        done = list(dict.fromkeys([*(known.done if known is not None else []), *request.done]))
+        newest = LessonDone(pupil, request.lesson, request.title, request.steps, done)
+
+        def add(store: ClassStore) -> bool:
+            return store.progress.add(pupil, request.lesson, request.title, request.steps, request.done, time.time())
+
+        if newest != known and await self._store.call(add):
+            self._progress[pupil, request.lesson] = newest
+
+    def lessons_shown(self) -> b.LessonsShown:
+        """The progress of all pupils in lessons."""
+        return b.LessonsShown(
+            [
+                b.LessonShown(one.pupil, one.lesson, one.title, len(one.done), one.steps)
+                for one in self._progress.values()
+            ]
+        )
+
+    async def _hand_in(self, page: PupilPage, member: Member, request: p.HandIn) -> None:
         if not await self.tasks.hand_in(member.pupil.id, request):
             page.put(p.NotHandedIn(request.task, "late"))
             self._show_tasks(page)
@@ -258,6 +272,24 @@ class Classroom:
     def _show_tasks(self, page: PupilPage) -> None:
         if page.pupil is not None and (tasks := self.tasks.of_pupil(page.pupil.id)) is not None:
             page.put(tasks)
+
+    def pupil_left(self, pupil: int) -> None:
+        """A pupil is not in the class any more."""
+        self._handouts.pop(pupil, None)
+        self.sharing.pupil_left(pupil)
+        if self.projection.choice.pupil == pupil:
+            self.projection.choose(Project(None, False, False))
+
+    async def reload(self) -> None:
+        """Read what belongs to other pupils than before."""
+
+        def read(store: ClassStore) -> tuple[list[HandIn], list[CommentKept], list[LessonDone]]:
+            return store.tasks.hand_ins(), store.comments.comments(), store.progress.all()
+
+        hand_ins, comments, progress = await self._store.call(read)
+        self.tasks.reload(hand_ins)
+        self.comments.reload(comments)
+        self._progress = {(one.pupil, one.lesson): one for one in progress}
 
     # The board
 
@@ -292,21 +324,19 @@ class Classroom:
 
     def _show_comments(self, pupil: int) -> None:
         comments = p.OwnComments(self.comments.of_pupil(pupil))
-        for page in self.pages:
-            if page.pupil is not None and page.pupil.id == pupil:
-                page.put(comments)
+        for page in self.roster.pages_of(pupil):
+            page.put(comments)
 
     def _show_all_tasks(self, pupil: int | None = None) -> None:
-        for page in self.pages:
-            if pupil is None or (page.pupil is not None and page.pupil.id == pupil):
-                self._show_tasks(page)
+        for page in self.roster.pages if pupil is None else self.roster.pages_of(pupil):
+            self._show_tasks(page)
 
     async def hand_ins_zip(self, task: int) -> bytes | None:
         """All programs of a task and a table of them, as a ZIP file; ``None`` if there is no such task."""
         if self.tasks.task(task) is None:
             return None
         kept = await self.tasks.kept(task)
-        nicknames = {member.pupil.id: member.pupil.nickname for member in self._members.values()}
+        nicknames = {member.pupil.id: member.pupil.nickname for member in self.roster.members.values()}
         return await asyncio.to_thread(hand_ins_zip, nicknames, kept, self.tasks.alike(task))
 
     async def hand_in_shown(self, request: b.OpenHandIn) -> b.ProgramShown:
@@ -338,6 +368,8 @@ class Classroom:
         """All pupils as the board shows them now."""
         now, date = self.now(), time.time()
         comments = self.comments.counts()
+        most_idle = self._run_clock.most_idle(self._states(), now)
+        free_since = None if most_idle else self._run_clock.free_since
         return b.PupilsShown(
             [
                 b.PupilShown(
@@ -349,32 +381,39 @@ class Classroom:
                     member.program,
                     None if member.changed is None else max(0.0, round(date - member.changed)),
                     member.state.lesson,
-                    member.state.needs(now),
+                    member.state.needs(now, idle=member.state.is_idle(now, free_since)),
                     *comments.get(member.pupil.id, (0, 0)),
                 )
-                for member in self._members.values()
-            ]
+                for member in self.roster.members.values()
+            ],
+            most_idle,
         )
 
     def set_attention(self, message: str | None) -> None:
         """Pause all pages with a message, or let them go on."""
+        if message is not None:
+            self._run_clock.pause()
+        elif self.attention is not None:
+            self._run_clock.resume(self.now())
         self.attention = message
-        for page in self.pages:
+        for page in self.roster.pages:
             page.put(p.Attention(message))
+
+    def _states(self) -> list[PupilState]:
+        return [member.state for member in self.roster.members.values()]
 
     def lower_hand(self, pupil: int) -> None:
         """The raised hand of a pupil was seen."""
-        if pupil not in self._members:
+        if pupil not in self.roster.members:
             return
-        self._members[pupil].state.hand = False
-        for page in self.pages:
-            if page.pupil is not None and page.pupil.id == pupil:
-                page.put(p.Lowered())
+        self.roster.members[pupil].state.hand = False
+        for page in self.roster.pages_of(pupil):
+            page.put(p.Lowered())
 
     def send(self, request: b.Send) -> b.Sent | Refused:
         """Send something to the pages of all pupils or of some, and to those of them that connect later."""
-        to = set(self._members if request.pupils is None else request.pupils)
-        if not to <= self._members.keys():
+        to = set(self.roster.members if request.pupils is None else request.pupils)
+        if not to <= self.roster.members.keys():
             return Refused("request")
         handout = p.Handout(secrets.token_urlsafe(9), request.what, request.name, request.text)
         if request.pupils is None:
@@ -382,7 +421,7 @@ class Classroom:
             self._handouts.clear()
         else:
             self._handouts |= dict.fromkeys(to, handout)
-        reached = [page for page in self.pages if page.pupil is not None and page.pupil.id in to]
+        reached = [page for page in self.roster.pages if page.pupil is not None and page.pupil.id in to]
         for page in reached:
             page.put(handout)
         return b.Sent(len(reached), len(to - {page.pupil.id for page in reached if page.pupil is not None}))
@@ -393,11 +432,11 @@ class Classroom:
         return Refused("request") if latest is None else self.sharing.ask(board, request, latest.name)
 
     def _participants(self, pupil: int) -> list[Participant]:
-        return [_participant(page) for page in self.pages if page.pupil is not None and page.pupil.id == pupil]
+        return [_participant(page) for page in self.roster.pages_of(pupil)]
 
     def project(self, request: Project) -> Refused | None:
         """Choose what the projectors show; what is returned says why not."""
-        if request.pupil is not None and request.pupil not in self._members:
+        if request.pupil is not None and request.pupil not in self.roster.members:
             return Refused("request")
         self.projection.choose(request)
         return None
@@ -409,7 +448,7 @@ class Classroom:
         Raises:
             StoreError: the disk is broken.
         """
-        member = self._members.get(self.projection.choice.pupil or 0)
+        member = self.roster.members.get(self.projection.choice.pupil or 0)
         if member is None:
             return await self.projection.shown(None, None, False, False)
         state = member.state
@@ -417,7 +456,7 @@ class Classroom:
 
     def changed(self, pupil: int) -> float | None:
         """When a program of a pupil was stored last, in s since 1970."""
-        member = self._members.get(pupil)
+        member = self.roster.members.get(pupil)
         return None if member is None else member.changed
 
     async def program_changed(self, shown: b.ProgramShown) -> b.ProgramChanged | None:
@@ -456,6 +495,11 @@ class Classroom:
         if latest is None:
             return b.ProgramShown(request.pupil, "", None)
         return b.ProgramShown(request.pupil, latest.name, latest.text, latest.program)
+
+
+def _entering(store: ClassStore, pupil: int) -> tuple[Pupil, list[Version]] | None:
+    found = store.roster.pupil(pupil)
+    return None if found is None else (found, store.programs(found.id))
 
 
 def _participant(page: PupilPage) -> Participant:

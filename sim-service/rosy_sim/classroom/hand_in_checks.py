@@ -15,19 +15,21 @@ from typing import Any
 
 import msgspec
 
+from ..accounting.client import SERVICE
+from ..accounting.fair_queue import FairQueue
 from ..config import Config
 from ..errors import BadInput, RosyError
 from ..rooms.background_trials import BUDGET, try_in_background
 from ..rooms.generation.families import Family, family_like
 from ..rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ..rooms.tested_room import tested_room
-from ..run.run_queue import RunQueue
 from ..sentences.sentence import tr
 from ..sentences.wording import in_terminal
 from ..wire.page.room_tests import TestedRoom
 from ..world.properties import BadProperty, read_properties
 from ..worlds.gallery import DEFAULT_WORLD, named_world
 from .class_tasks import ClassTasks
+from .lesson_checks import check_by_lesson
 from .messages.check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
 from .messages.message_fields import Refused
 from .program_fingerprint import source_of
@@ -55,7 +57,7 @@ class HandInChecks:
         queue: slots of tests in many rooms.
     """
 
-    def __init__(self, tasks: ClassTasks, config: Config, queue: RunQueue) -> None:
+    def __init__(self, tasks: ClassTasks, config: Config, queue: FairQueue) -> None:
         self._tasks = tasks
         self._config = config
         self._queue = queue
@@ -87,8 +89,9 @@ class HandInChecks:
 
     async def _run(self, request: CheckAll, is_new: bool, refuse: Callable[[Refused], None]) -> None:
         try:
-            read_properties(request.properties)
-            if request.family != "own":
+            if request.family != "lesson":
+                read_properties(request.properties)
+            if request.family not in ("own", "lesson"):
                 await asyncio.to_thread(_room_test, request, "")
             if not is_new:
                 await self._tasks.keep_check(request)
@@ -105,7 +108,7 @@ class HandInChecks:
 
     async def _check_all(self, request: CheckAll, kept: list[HandInKept]) -> None:
         waiting = iter(kept)
-        works = [asyncio.create_task(self._check_each(request, waiting)) for _ in range(self._queue.limit)]
+        works = [asyncio.create_task(self._check_each(request, waiting)) for _ in range(self._queue.policy.places)]
         try:
             await asyncio.gather(*works)
         finally:
@@ -115,11 +118,9 @@ class HandInChecks:
 
     async def _check_each(self, request: CheckAll, waiting: Iterator[HandInKept]) -> None:
         for one in waiting:
-            await self._queue.acquire(lambda _: None)
-            try:
-                result, rooms = await self._result(request, one.text)
-            finally:
-                self._queue.release()
+            async with self._queue.place(SERVICE):
+                judged = self._result_by_lesson if request.family == "lesson" else self._result
+                result, rooms = await judged(request, one.text)
             await self._tasks.grade(request.task, one.pupil, one.at, result, rooms)
             self.progress = msgspec.structs.replace(self.progress, done=self.progress.done + 1)
 
@@ -142,6 +143,22 @@ class HandInChecks:
             return msgspec.structs.replace(self._faulty(request, "compile"), problems=report.refused), []
         rooms = _rooms(report)
         return msgspec.structs.replace(self._faulty(request, None), passed=report.passed, worst=rooms[0]), rooms
+
+    async def _result_by_lesson(self, request: CheckAll, project: str) -> tuple[CheckResult, list[TestedRoom]]:
+        try:
+            async with asyncio.timeout(BUDGET):
+                outcome = await check_by_lesson(self._config, project, source_of(project))
+        except TimeoutError:
+            return self._faulty(request, "time"), []
+        except RosyError as error:
+            _log.warning("%s", in_terminal(tr("A hand-in could not be checked: {why}", why=error)))
+            return self._faulty(request, "lost"), []
+        if outcome is None:
+            return self._faulty(request, "lesson"), []
+        if outcome.problems:
+            return msgspec.structs.replace(self._faulty(request, "compile"), problems=outcome.problems), []
+        result = self._faulty(request, None)
+        return msgspec.structs.replace(result, rooms=outcome.rooms, passed=outcome.passed, unmet=outcome.unmet), []
 
     def _count_room(self) -> None:
         self.progress = msgspec.structs.replace(self.progress, rooms=self.progress.rooms + 1)

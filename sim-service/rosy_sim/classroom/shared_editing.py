@@ -132,6 +132,11 @@ class SharedEditing:
         if session is not None and session.page is not None and session.page.connection == connection:
             self._end(session)
 
+    def pupil_left(self, pupil: int) -> None:
+        """A pupil is not in the class any more."""
+        if (session := self._sessions.get(pupil)) is not None:
+            self._end(session)
+
     def page_unreadable(self, pupil: int, connection: Hashable) -> None:
         """A pupil's page sent an answer or changes that cannot be read: it would wait for the service for ever."""
         session = self._sessions.get(pupil)

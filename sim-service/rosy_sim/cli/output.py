@@ -14,7 +14,9 @@ from .problem_text import format_problem
 
 __all__ = [
     "flush_output",
+    "print_bytes",
     "print_error",
+    "print_note",
     "print_problem",
     "print_sentence",
     "print_text",
@@ -25,6 +27,14 @@ __all__ = [
 def print_text(text: str) -> None:
     try:
         print(text)
+    except OSError as error:
+        raise OutputFailed(error) from error
+
+
+def print_bytes(data: bytes) -> None:
+    """What is for a file or another program."""
+    try:
+        sys.stdout.buffer.write(data)
     except OSError as error:
         raise OutputFailed(error) from error
 
@@ -46,7 +56,11 @@ def flush_output() -> None:
 
 
 def print_error(error: RosyError) -> None:
-    print(f"rosy: {neutralize_line(in_terminal(error.sentence))}", file=sys.stderr)
+    print_note(error.sentence)
+
+
+def print_note(sentence: Sentence) -> None:
+    print(f"rosy: {neutralize_line(in_terminal(sentence))}", file=sys.stderr)
 
 
 def print_problem(file: Path, found: Problem) -> None:

@@ -10,6 +10,7 @@ from ..classroom.command import add_class_options
 from ..cluster.command import add_cluster_options
 from ..errors import BadInput
 from ..maps.command import add_room_options
+from ..programs.program_file import OLDER_ENCODINGS
 from ..recordings.command import add_replay_options
 from ..rooms.command import add_options
 from ..sentences.sentence import tr
@@ -33,6 +34,7 @@ def options_parser() -> argparse.ArgumentParser:
     serve = commands.add_parser("serve", prog="rosy start", add_help=False, allow_abbrev=False)
     serve.add_argument("--port", type=int, default=8080)
     serve.add_argument("--host")
+    serve.add_argument("--public", metavar="URL")
     serve.add_argument("--class", dest="class_name", nargs="?", const="class", metavar="NAME")
     serve.add_argument("--no-browser", action="store_true")
     serve.add_argument("--runs", type=int)
@@ -50,8 +52,12 @@ def options_parser() -> argparse.ArgumentParser:
     lsp = commands.add_parser("lsp", prog="rosy lsp", add_help=False, allow_abbrev=False)
     # Editors add it to name the transport; there is no other one.
     lsp.add_argument("--stdio", action="store_true")
+    robots = commands.add_parser("robots", prog="rosy robots", add_help=False, allow_abbrev=False)
+    robots.add_argument("addresses", nargs="*", default=["ros2:"], metavar="ADDRESS")
+    robots.add_argument("--seconds", type=float, default=5.0)
     add_room_options(commands.add_parser("room", prog="rosy room", add_help=False, allow_abbrev=False))
-    add_replay_options(commands.add_parser("replay", prog="rosy replay", add_help=False, allow_abbrev=False))
+    replay = commands.add_parser("replay", prog="rosy replay", add_help=False, allow_abbrev=False)
+    add_replay_options(replay)
     add_class_options(commands.add_parser("class", prog="rosy class", add_help=False, allow_abbrev=False))
     run = commands.add_parser("run", prog="rosy run", add_help=False, allow_abbrev=False)
     run.add_argument("files", type=Path, nargs="+", metavar="file")
@@ -64,10 +70,13 @@ def options_parser() -> argparse.ArgumentParser:
     run.add_argument("--robot")
     run.add_argument("--record", type=Path, metavar="FILE")
     run.add_argument("--no-record", action="store_true")
+    run.add_argument("--csv", action="store_true")
     add_options(run)
     run.add_argument("--safety", choices=("on", "off"))
     run.add_argument("--max-speed", type=float)
     run.add_argument("--max-turn", type=float)
     run.add_argument("--provenance", action="store_true")
     run.add_argument("--explain", nargs="?", const="")
+    for reads_programs in (check, build, replay, run):
+        reads_programs.add_argument("--encoding", type=str.lower, choices=OLDER_ENCODINGS)
     return parser

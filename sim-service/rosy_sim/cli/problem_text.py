@@ -7,6 +7,7 @@ from pathlib import Path
 from ..sentences.sentence import tr
 from ..sentences.terminal_text import neutralize, neutralize_line
 from ..sentences.wording import in_terminal, machine_wording
+from ..text_lines import text_lines
 from ..wire.problem import Problem, failure_context, worded
 
 __all__ = ["format_problem"]
@@ -24,7 +25,7 @@ def format_problem(file: Path, problem: Problem, with_compiler_text: bool) -> st
     parts = (f"{where}{_severity(found)}{found.message}", found.hint, _failure_context(found))
     line = neutralize(" ".join(part for part in parts if part))
     own = neutralize(found.ghc.strip()) if with_compiler_text else ""
-    return "\n".join([line, *(f"    {text}".rstrip() for text in own.splitlines())])
+    return "\n".join([line, *(f"    {text}".rstrip() for text in text_lines(own))])
 
 
 def _severity(found: Problem) -> str:

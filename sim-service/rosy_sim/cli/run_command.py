@@ -4,29 +4,33 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import math
+import os
 import sys
 from pathlib import Path
 
 import msgspec
 
 from ..atomic_file import AtomicFile
+from ..classroom.exports.spreadsheet import spreadsheet
 from ..cluster.node import use_token
 from ..config import Config
 from ..errors import BadInput
 from ..explain.causal_chain import explain
+from ..explain.function_types import with_synonyms, written_memories
 from ..explain.recorded_run import RecordedRun
 from ..explain.why_not import RobotLimits
 from ..explain.wording import words_of
+from ..programs.input_file import read_inputs
+from ..programs.program_file import ProgramFile, read_program
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import RecordingFolder, named_recording, recorded_sentence
 from ..robots import DEFAULT_ROBOT
 from ..rooms.command import check_options, test_in_rooms
 from ..rooms.programs import Pool
-from ..run.grading import format_table, grade_programs, programs_in
+from ..run.grading import Grade, csv_rows, format_table, grade_programs, programs_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
-from ..run.input_file import read_inputs
-from ..run.program_file import ProgramFile, read_program
-from ..sentences.sentence import tr
+from ..sentences.sentence import Sentence, tr
 from ..sentences.terminal_text import escape_json, neutralize, neutralize_line
 from ..sentences.wording import in_terminal, machine_wording
 from ..worker.native_build import is_native
@@ -34,7 +38,7 @@ from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
 from ..worlds.gallery import load_world, usable_arena
 from .checked_worker import started_worker, warn_without_sandbox
-from .output import flush_output, print_problem, print_text, say
+from .output import flush_output, print_bytes, print_problem, print_sentence, print_text, say
 from .problem_text import format_problem
 from .run_options import (
     MAX_SECONDS,
@@ -64,7 +68,7 @@ def run_command(config: Config, options: argparse.Namespace) -> int:
         return test_in_rooms(
             config, options, seconds_of(options.seconds), safety_of(options), print_text, _cluster_pool
         )
-    if len(options.files) > 1 or options.files[0].is_dir():
+    if options.csv or len(options.files) > 1 or os.path.isdir(options.files[0]):
         return _grade(config, options)
     options.file = options.files[0]
     return _run(config, options)
@@ -72,7 +76,7 @@ def run_command(config: Config, options: argparse.Namespace) -> int:
 
 def _run(config: Config, options: argparse.Namespace) -> int:
     native = is_native(options.file)
-    program = ProgramFile("") if native else read_program(options.file)
+    program = ProgramFile("") if native else read_program(options.file, options.encoding)
     if options.robot is not None:
         if native:
             raise BadInput(
@@ -94,6 +98,7 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     world = World(arena, DEFAULT_ROBOT, settings.seed)
     moment = moment_of(options.explain)
     record = RecordedRun(moment) if options.explain is not None else None
+    memories: dict[str, str] = {}
     if options.provenance and options.trace is None:
         raise BadInput(tr("--provenance is for --trace: it adds causes and reads to its lines."))
     with contextlib.ExitStack() as stack:
@@ -107,8 +112,11 @@ def _run(config: Config, options: argparse.Namespace) -> int:
             worker = stack.enter_context(started_worker(config))
             worker.ready()
             outcome = run_program(worker, program.source, world, settings, output)
+            if record is not None and outcome.ended != "refused":
+                memories = written_memories(worker.check(program.source).graph)
     if record is not None:
-        _print_explanation(record, moment)
+        _print_explanation(record, moment, memories)
+    outcome.problems = program.in_file(outcome.problems)
     return _report(options.file, world, outcome)
 
 
@@ -116,7 +124,25 @@ def _report(file: Path, world: World | None, outcome: RunResult) -> int:
     flush_output()
     for found in outcome.problems:
         print(format_problem(file, found, sys.stderr.isatty()), file=sys.stderr)
-    last: dict[str, object] = {
+    status = _EXIT_STATUS[outcome.ended]
+    missed = [state for state in outcome.goals if state.state != "done"]
+    status = GOAL_MISSED if status == 0 and missed else status
+    if sys.stdout.isatty():
+        done = len(outcome.goals) - len(missed)
+        remark = "; ".join(state.title for state in missed)
+        time = outcome.steps / STEPS_PER_SECOND
+        grade = Grade(file.name, status, time, (done, len(outcome.goals)), remark)
+        print_text(neutralize(format_table([grade])))
+        if world is not None:
+            print_sentence(_place(world))
+    else:
+        print_text(escape_json(msgspec.json.encode(_values(world, outcome)).decode()))
+    return status
+
+
+def _values(world: World | None, outcome: RunResult) -> dict[str, object]:
+    """The end of a run for other programs."""
+    values: dict[str, object] = {
         "time": outcome.steps / STEPS_PER_SECOND,
         "pose": {"x": world.x, "y": world.y, "theta": world.theta} if world is not None else None,
         "ended": outcome.ended if outcome.ended != "refused" else "error",
@@ -124,20 +150,31 @@ def _report(file: Path, world: World | None, outcome: RunResult) -> int:
         "wall": round(outcome.wall, 6),
     }
     if outcome.goals:
-        last["goals"] = [state._asdict() for state in outcome.goals]
-    print_text(escape_json(msgspec.json.encode(last).decode()))
-    status = _EXIT_STATUS[outcome.ended]
-    missed = any(state.state != "done" for state in outcome.goals)
-    return GOAL_MISSED if status == 0 and missed else status
+        values["goals"] = [state._asdict() for state in outcome.goals]
+    return values
 
 
-def _print_explanation(record: RecordedRun, moment: float | None) -> None:
-    """Why what was sent at a time, s, or last, was sent; in the language of the terminal."""
+def _place(world: World) -> Sentence:
+    degrees = round(math.degrees(math.remainder(world.theta, math.tau)))
+    return tr(
+        "The robot is at x = {x} m, y = {y} m and looks in direction {degrees}°.",
+        x=round(world.x, 2),
+        y=round(world.y, 2),
+        degrees=degrees,
+    )
+
+
+def _print_explanation(record: RecordedRun, moment: float | None, memories: dict[str, str]) -> None:
+    """
+    Why what was sent at a time, s, or last, was sent; in the language of the terminal. ``memories``: as the program
+    writes their types.
+    """
     limits = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
     language = machine_wording()
     mark = language.forms.decimal_mark if language.forms is not None else "."
     for link in explain(record, limits, moment):
-        print_text(neutralize(language.put(words_of(link.said, mark)).replace("**", "")))
+        said = with_synonyms(link.said, memories)
+        print_text(neutralize(language.put(words_of(said, mark)).replace("**", "")))
 
 
 def _grade(config: Config, options: argparse.Namespace) -> int:
@@ -147,12 +184,15 @@ def _grade(config: Config, options: argparse.Namespace) -> int:
             raise BadInput(tr("--{name} is for one program at a time.", name=name))
     if options.world is not None:
         usable_arena(load_world(options.world), options.world)
-    given = {"--world": options.world, "--seconds": options.seconds, "--seed": options.seed, "--speed": options.speed}
     warn_without_sandbox(config)
+    given = {f"--{name}": getattr(options, name) for name in ("world", "seconds", "seed", "speed", "encoding")}
     given |= {f"--{name.replace('_', '-')}": value for name, value in safety_options(options).items()}
     passed = [text for name, value in given.items() if value is not None for text in (name, str(value))]
     grades = grade_programs(programs_in(options.files), passed)
-    print_text(format_table(grades))
+    if options.csv:
+        print_bytes(spreadsheet(csv_rows(grades)))
+    else:
+        print_text(format_table(grades))
     return max(g.status for g in grades)
 
 
@@ -180,7 +220,7 @@ def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) ->
             problems, status = run_on_robot(worker, config.robot_executable, program.source, address, seconds, log)
         finally:
             finished = pending.finish(details) if pending is not None else None
-    for found in problems:
+    for found in program.in_file(problems):
         print_problem(options.file, found)
     if finished is not None:
         print(f"rosy: {neutralize_line(in_terminal(recorded_sentence(finished)))}", file=sys.stderr)

@@ -7,7 +7,7 @@ import math
 import random
 
 from ..errors import BadInput
-from ..run.program_file import ProgramFile
+from ..programs.program_file import ProgramFile
 from ..run.steps.velocity_guard import SafetySettings
 from ..sentences.sentence import tr
 from ..world.arena import Arena

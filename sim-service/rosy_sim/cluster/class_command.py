@@ -13,9 +13,6 @@ from urllib.parse import urlsplit
 
 import ray
 from ray.exceptions import RayError
-from starlette.requests import Request
-from starlette.responses import JSONResponse, Response
-from starlette.routing import Route
 
 from ..classroom.store.class_folder import check_name
 from ..config import Config
@@ -24,6 +21,7 @@ from ..sentences.sentence import tr
 from ..sentences.wording import in_terminal
 from ..web.lan_addresses import lan_addresses
 from ..web.server import serve
+from .class_routes import class_routes
 from .class_service import Failed, Ready
 from .classes import directory
 from .connection import reached
@@ -44,30 +42,26 @@ def serve_pages(config: Config, options: argparse.Namespace) -> int:
     """
     classes = directory(options.address)
 
-    async def place(request: Request) -> Response:
-        """Where a class is, as HOST:PORT; 503 while it starts, and if no node serves it."""
+    async def find(name: str) -> str | None:
         try:
-            found: Ready | None = await classes.find.remote(request.query_params.get("class", ""))
+            found: Ready | None = await classes.find.remote(name)
         except RayError:
-            found = None
-        if found is None:
-            return JSONResponse({}, status_code=503, headers={"Cache-Control": "no-store"})
-        return JSONResponse({"address": found.address}, headers={"Cache-Control": "no-store"})
+            return None
+        return None if found is None else found.address
 
-    async def services(_request: Request) -> Response:
-        """The services of all classes as Prometheus's HTTP service discovery reads them; 503 without an answer."""
+    async def services() -> dict[str, str] | None:
         try:
             found: dict[str, str] = await classes.services.remote()
         except RayError:
-            return JSONResponse([], status_code=503)
-        return JSONResponse([{"targets": [address], "labels": {"class": name}} for name, address in found.items()])
+            return None
+        return found
 
     host = options.host or "0.0.0.0"
     if options.origin is not None:
         # Behind a proxy pages come from its address.
         config = replace(config, origins=frozenset({urlsplit(options.origin).netloc}))
-    routes = [Route("/api/place", place), Route("/api/services", services)]
-    return serve(config, host, _port(options), False, options.unprotected, more=routes)
+    more = class_routes(find, services)
+    return serve(config, host, _port(options), False, options.unprotected, more=more)
 
 
 def begin_class(options: argparse.Namespace, output: Callable[[str], None]) -> int:

@@ -54,7 +54,7 @@ DEFAULT_PORT = 6379
 
 PAGES, PAGES_PER_PROCESSOR = "pages", 60
 """Resource of a node: pages that it serves in time. 150 pages take nine tenths of a core for the service, and as much
-for their programs (sim-service/README.md, "Where the time goes")."""
+for their programs (``bench/pages.py``)."""
 
 _SETTINGS = {
     # A node that is dead is found in about 5 s; one that stands still has 10 s for each answer (Ray's own timeout).

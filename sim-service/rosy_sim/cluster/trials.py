@@ -108,7 +108,8 @@ class ClusterPool:
 
     def program(self, task: Task) -> Trials:
         """The trials of one program; the program is sent to each node once."""
-        return _ProgramTrials(self, ray.put(task))
+        # As JSON: classes of compiled modules cannot be pickled where they are frozen.
+        return _ProgramTrials(self, ray.put(msgspec.json.encode(task)))
 
     def close(self) -> None:
         """End all trials at once, from any thread; those that wait raise ``PoolClosed``."""
@@ -177,13 +178,13 @@ _of_process: TrialPool | None = None
 """The warm trial process of a process that Ray keeps for tasks."""
 
 
-def _try_batch(task: Task, trials: list[Trial]) -> _Batch:
+def _try_batch(task: bytes, trials: list[Trial]) -> _Batch:
     """The task: trials of a program, one after another, with the worker of this node."""
     global _of_process
     if _of_process is None:
         _of_process = TrialPool(WorkerSetup.of(discover()), 1)
     try:
-        return _Batch(_of_process.program(task).run(trials))
+        return _Batch(_of_process.program(msgspec.json.decode(task, type=Task)).run(trials))
     except ProgramLost as error:
         return _Batch([], lost=error.why)
     except RosyError as error:

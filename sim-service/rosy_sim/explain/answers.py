@@ -17,7 +17,7 @@ from .branches import taken_branches
 from .position import stretches
 from .recorded_run import RecordedRun, SentCommand
 from .untaken_branch import why_not_taken
-from .why import Link, sending, shown_inputs, step_back
+from .why import Link, remembering, sending, shown_inputs, step_back
 from .why_not import (
     FunctionType,
     RobotLimits,
@@ -86,10 +86,8 @@ def why_memory(run: RecordedRun, kind: str, time: float) -> Answer:
     writer = run.latest_write(kind, time)
     if writer is None:
         return Answer([Link(_unwritten(run, kind), time)], time)
-    since = run.time_of(writer)
-    value = next(given.value for given in reversed(writer.gave) if given.type == kind)
-    said = Sentence("remembered", type=kind, value=value, since=since, other=writer.function, cause=writer.n)
-    return _with_causes(run, writer, [Link(said, since, writer.n)], since)
+    link, first = remembering(run, kind, writer)
+    return _with_causes(run, first, [link], link.time)
 
 
 def why_event(run: RecordedRun, text: str, time: float) -> Answer:

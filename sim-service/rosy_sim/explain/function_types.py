@@ -1,17 +1,20 @@
 """
-Functions that a program simulates, with the types of what they take and give, from a check's ``graph``.
+Types that a program writes, from a check's ``graph``: those of the functions that it simulates, and the synonyms under
+which it writes its memories.
 """
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import Any
 
 import msgspec
 
+from ..wire.explanation import Sentence
 from .why_not import FunctionType
 
-__all__ = ["function_types"]
+__all__ = ["function_types", "with_synonyms", "written_memories"]
 
 
 class _Part(msgspec.Struct):
@@ -33,6 +36,49 @@ class _Graph(msgspec.Struct):
 def function_types(graph: msgspec.Raw | bytes) -> list[FunctionType]:
     """All functions at work in a program, those of its tasks as well."""
     return [function for part in msgspec.json.decode(graph, type=_Graph).parts for function in _functions(part, None)]
+
+
+def written_memories(graph: msgspec.Raw | bytes) -> dict[str, str]:
+    """
+    How a program writes the types of its memories where it uses a synonym: ``Memory Bool`` is ``Memory Hit``. A type
+    that it writes under two synonyms is one memory and keeps its own name. The keys are as a run tells the types.
+    """
+    written: dict[str, set[str]] = {}
+    for shape in _shapes(msgspec.json.decode(graph, type=_Graph).parts):
+        spelled, name = str(shape.get("is", shape["type"])), str(shape["type"])
+        if spelled.startswith(("Memory ", "Param ")) and name != spelled:
+            written.setdefault(_as_run_tells(spelled), set()).add(name)
+    return {spelled: name for spelled, (name, *others) in written.items() if not others}
+
+
+def with_synonyms(said: Sentence, memories: dict[str, str]) -> Sentence:
+    """A sentence with memories as the program writes their types. See ``written_memories``."""
+    types = [memories.get(kind, kind) for kind in said.types]
+    return msgspec.structs.replace(said, type=memories.get(said.type, said.type), types=types)
+
+
+def _as_run_tells(spelled: str) -> str:
+    """The compiler writes ``String``, a run ``[Char]``."""
+    return re.sub(r"\bString\b", "[Char]", spelled)
+
+
+def _shapes(parts: list[_Part]) -> Iterator[dict[str, Any]]:
+    """All single types that functions take and give."""
+    for part in parts:
+        for shape in [*part.inputs, part.output]:
+            yield from _types(shape)
+        yield from _shapes([*part.start, *part.parts, *part.steps])
+
+
+def _types(shape: Any) -> Iterator[dict[str, Any]]:
+    match shape:
+        case {"type": str()}:
+            yield shape
+        case {"maybe": inner} | {"each": inner}:
+            yield from _types(inner)
+        case {"all": inner} | {"either": inner}:
+            for one in inner:
+                yield from _types(one)
 
 
 def _functions(part: _Part, task: _Part | None, is_start: bool = False) -> Iterator[FunctionType]:
@@ -71,11 +117,4 @@ def _argument(shape: Any) -> str:
 
 def _flat(shape: Any) -> Iterator[str]:
     """The types that an output may give."""
-    match shape:
-        case {"type": str(written)}:
-            yield str(shape.get("is", written))
-        case {"maybe": inner} | {"each": inner}:
-            yield from _flat(inner)
-        case {"all": inner} | {"either": inner}:
-            for one in inner:
-                yield from _flat(one)
+    return (str(one.get("is", one["type"])) for one in _types(shape))

@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 from ..wire.firing import Firing
 from .recorded_step import RecordedStep, ShownCommand, StepContent, ToldContent
+from .values import inside, written
 
 __all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand"]
 
@@ -144,6 +145,27 @@ class RecordedRun:
                 if any(given.to in ("memory", "param") and given.type == kind for given in firing.gave):
                     return firing
         return None
+
+    def beginning_of_value(self, kind: str, writer: Firing) -> Firing | None:
+        """
+        The firing since which a memory of a type (``Memory Bool``) has had the value that another one wrote: the first
+        of those that wrote the same one after the other. None when that was its first value already.
+        """
+        value = written(writer, kind)
+        first = writer
+        for step in reversed(self._fired):
+            for firing in reversed(step.content.firings):
+                if firing.n >= writer.n:
+                    continue
+                earlier = written(firing, kind)
+                if earlier not in (None, value):
+                    return first
+                if earlier is not None:
+                    first = firing
+                for taken in firing.took:
+                    if taken.type == kind and taken.firing is None and firing.task == writer.task:
+                        return None if inside(taken.value) == value else first
+        return first
 
     def latest_firing(self, function: str, until: float) -> Firing | None:
         """The last firing of a function at or before a time, s."""

@@ -10,6 +10,7 @@ from ..wire.explanation import Sentence, SentenceId
 from ..wire.firing import Firing, Taken
 from ..world.time_step import STEP
 from .recorded_run import RecordedRun, SentCommand
+from .values import inside, written
 from .wording import english
 
 __all__ = ["Link", "ending", "sending", "shown_inputs", "step_back"]
@@ -76,9 +77,12 @@ def step_back(run: RecordedRun, firing: Firing) -> tuple[list[Link], list[Firing
     for taken in firing.took:
         if taken.origin in ("memory", "param"):
             writer = run.firing(taken.firing)
-            links.append(_memory(run, taken, writer, time))
-            if writer is not None:
-                causes.append(writer)
+            if writer is None:
+                links.append(_unwritten(taken, time))
+            else:
+                link, first = remembering(run, taken.type, writer)
+                links.append(link)
+                causes.append(first)
         elif taken.origin == "event" and taken.value not in ("()", firing.cause.value, _event(run, firing)):
             links += _waited(run, taken, time)
     before = run.firing(firing.cause.firing)
@@ -86,30 +90,20 @@ def step_back(run: RecordedRun, firing: Firing) -> tuple[list[Link], list[Firing
     return links, causes + ([before] if before is not None else [])
 
 
-def _memory(run: RecordedRun, taken: Taken, writer: Firing | None, time: float) -> Link:
-    value = _inside(taken.value)
-    if writer is None:
-        known: SentenceId = "first-value" if taken.firing is None else "old-value"
-        return Link(Sentence(known, type=taken.type, value=value), time)
-    since = run.time_of(writer)
-    said = Sentence("remembered", type=taken.type, value=value, since=since, other=writer.function, cause=writer.n)
-    return Link(said, since, writer.n)
+def remembering(run: RecordedRun, kind: str, writer: Firing) -> tuple[Link, Firing]:
+    """Since when a memory of a type has had the value that a firing wrote, and the firing to follow."""
+    value = written(writer, kind) or ""
+    first = run.beginning_of_value(kind, writer)
+    if first is None:
+        return Link(Sentence("from-start", type=kind, value=value), 0.0), writer
+    since = run.time_of(first)
+    said = Sentence("remembered", type=kind, value=value, since=since, other=first.function, cause=first.n)
+    return Link(said, since, first.n), first
 
 
-def _inside(value: str) -> str:
-    """``Memory (Hit True)`` without its constructor."""
-    inner = value.partition(" ")[2]
-    return inner[1:-1] if inner.startswith("(") and inner.endswith(")") and _closes_last(inner) else inner
-
-
-def _closes_last(text: str) -> bool:
-    """Whether the first bracket of a text is closed by its last one."""
-    depth = 0
-    for index, char in enumerate(text):
-        depth += (char == "(") - (char == ")")
-        if depth == 0:
-            return index == len(text) - 1
-    return False
+def _unwritten(taken: Taken, time: float) -> Link:
+    known: SentenceId = "first-value" if taken.firing is None else "old-value"
+    return Link(Sentence(known, type=taken.type, value=inside(taken.value)), time)
 
 
 def _event(run: RecordedRun, firing: Firing) -> str:

@@ -12,6 +12,7 @@ import re
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from ..robot_description import type_roles
 from ..wire.explanation import Sentence
 from ..wire.firing import Firing
 from .recorded_run import RecordedRun, SentCommand
@@ -30,26 +31,11 @@ __all__ = [
     "why_not_sent",
 ]
 
-_SAMPLES = {"Seconds", "Clock", "StdGen", "Memory", "Param", "Velocity", "Position", "Orientation", "Pose", "TurnRate"}
-"""Types that never trigger a function that takes an event as well (rules R1 and R3)."""
+_SAMPLES = {"Seconds", "Clock", "StdGen", "Memory", "Param"}
+"""Types of the language that never trigger a function (rule R3)."""
 
 TICK = 0.1
 """Time between two firings of a function without an event, s (language rule R3)."""
-
-_ROBOT_COMMANDS = {"Velocity", "Led1", "Led2", "Sound", "Say"}
-"""Types of commands of the robot and of the page (``protocol/README.md``, *Topics*)."""
-
-_VIEWS = {
-    f"{kind}{side}": f"{kind} {place}"
-    for kind, sides in {
-        "Bumper": {"Left": "LeftBumper", "Center": "CenterBumper", "Right": "RightBumper"},
-        "Cliff": {"Left": "LeftCliff", "Center": "CenterCliff", "Right": "RightCliff"},
-        "Wheel": {"Left": "LeftWheel", "Right": "RightWheel"},
-        "Button": {"Zero": "Button0", "One": "Button1", "Two": "Button2"},
-    }.items()
-    for side, place in sides.items()
-}
-"""One-sided views of the robot's events, and how the events that they show begin."""
 
 
 class FunctionType(NamedTuple):
@@ -227,7 +213,7 @@ def _finished_start(functions: Sequence[FunctionType], name: str, before: list[t
 def _other_type(functions: Sequence[FunctionType], name: str, command: str, window: Window) -> Link | None:
     """The function has no command of this type among its outputs, but another function or the robot knows it."""
     given = [output for one in functions if one.name == name for output in one.outputs]
-    known = {output for one in functions for output in one.outputs} | _ROBOT_COMMANDS
+    known = {output for one in functions for output in one.outputs} | type_roles().commands
     if not given or command in given or command not in known:
         return None
     return Link(Sentence("other-type", function=name, type=command, types=list(dict.fromkeys(given))), window.end)
@@ -271,7 +257,7 @@ def _last_known(run: RecordedRun, name: str, before: list[tuple[float, Firing]],
 
 def _replaced(run: RecordedRun, sent: SentCommand) -> Link | None:
     """Another function's command took the place of this one at once or soon."""
-    if sent.type in ("Say", "Sound"):
+    if sent.type in type_roles().commands - type_roles().held:
         return None
     commands = run.commands()
     later = commands[commands.index(sent) + 1 :]
@@ -363,7 +349,7 @@ def _events(taken: str) -> list[str]:
         return [kind for side in sides for kind in _events(side)]
     if taken.startswith(("Maybe ", "(", "[")):
         return []
-    return [] if _kind(taken) in _SAMPLES else [taken]
+    return [] if _kind(taken) in _SAMPLES | type_roles().states else [taken]
 
 
 def _takes(taken: str, event: str) -> bool:
@@ -385,7 +371,7 @@ def _arguments(applied: str) -> list[str]:
 
 def _times(run: RecordedRun, kind: str) -> list[float]:
     """When events of a type came."""
-    start = _VIEWS.get(kind, kind)
+    start = type_roles().views.get(kind, kind)
     sensed = [time for time, text in run.events() if text == start or text.startswith(start + " ")]
     return sensed + [t for t, f in run.firings() if any(given.to == "event" and given.type == kind for given in f.gave)]
 

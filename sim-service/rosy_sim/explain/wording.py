@@ -243,6 +243,9 @@ _SENTENCES: dict[SentenceId, Callable[[_Slots], Words]] = {
     ),
     "old-value": lambda s: tr("{type} was {value} for a long time.", type=s.type, value=s.value),
     "not-written": lambda s: tr("No function had written {type}: it has its first value.", type=s.type),
+    "from-start": lambda s: tr(
+        "{type} was {value} from the start: what was remembered since then was the same.", type=s.type, value=s.value
+    ),
     "remembered": lambda s: tr(
         "{type} was {value} since {since}: {other} remembered it.",
         type=s.type,

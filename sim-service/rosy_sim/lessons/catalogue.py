@@ -11,9 +11,17 @@ import msgspec
 
 from .lesson_file import Lesson, read_lesson
 
-__all__ = ["lesson_json", "lesson_list", "lessons"]
+__all__ = ["lesson_json", "lesson_list", "lesson_of_room", "lessons"]
 
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,63}")
+
+_ROOM_PREFIX = "lesson "
+"""Before the name of a lesson in the name of its room."""
+
+
+def lesson_of_room(room: str) -> str:
+    """The name of the lesson whose room has this name; empty for another room."""
+    return room.removeprefix(_ROOM_PREFIX) if room.startswith(_ROOM_PREFIX) else ""
 
 
 def lessons(folder: Path) -> list[Lesson]:
@@ -62,7 +70,9 @@ def lesson_json(folder: Path, name: str) -> dict[str, Any] | None:
     steps = []
     for step in lesson.file.steps:
         value: dict[str, Any] = msgspec.to_builtins(step)
+        # Only rehearsals use these.
         value.pop("hands", None)
+        value.pop("also_in", None)
         if step.program is not None:
             value["program"] = lesson.programs[step.program]
         steps.append(value)
@@ -71,7 +81,7 @@ def lesson_json(folder: Path, name: str) -> dict[str, Any] | None:
         "name": name,
         "course": lesson.file.course,
         "number": lesson.file.number,
-        "room": {**lesson.world, "name": f"lesson {name}"},
+        "room": {**lesson.world, "name": f"{_ROOM_PREFIX}{name}"},
         "toolbox": sorted({word for earlier in found[: place + 1] for word in earlier.file.blocks}),
         "start": lesson.start,
         "steps": steps,

@@ -1,5 +1,5 @@
 """
-Patterns of events and commands in lesson files: ``Bumper _ Pressed``, ``Led1 Green``, ``Velocity <0 _``.
+Patterns of events and commands in lesson files: ``Bumper _ Pressed``, ``Led1 !Black``, ``Velocity <0 _``.
 
 The words are those of Haskell, from the robot's description; a recorded value is the number of the ROS message.
 """
@@ -78,6 +78,9 @@ def _leaves(name: str) -> list[Mapping[str, int] | None]:
 def _test(word: str, codes: Mapping[str, int] | None) -> _Test:
     if word == "_":
         return lambda _: True
+    if word[0] == "!" and len(word) > 1:
+        refused = _test(word[1:], codes)
+        return lambda value: not refused(value)
     if codes is not None:
         if word not in codes:
             raise BadPattern(tr("{word} is none of {codes}.", word=word, codes=list(codes)))

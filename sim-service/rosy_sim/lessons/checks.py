@@ -14,32 +14,41 @@ from msgspec import Meta
 __all__ = [
     "Answers",
     "At",
+    "Back",
     "Check",
+    "Counts",
     "Ends",
     "Faces",
+    "Farthest",
     "Function",
     "Functions",
+    "Gap",
     "Goals",
     "Holds",
+    "Measures",
     "Moves",
+    "Raises",
     "Reaches",
+    "Returns",
     "Says",
     "Sends",
     "Silent",
     "Still",
+    "Varies",
 ]
 
 Identifier = Annotated[str, Meta(pattern="^[a-z][a-z0-9-]{0,39}$", description="Lower-case letters, digits, hyphens.")]
 Time = Annotated[float, Meta(ge=0, le=600, description="Seconds of the run.")]
 Span = Annotated[float, Meta(gt=0, le=600, description="Seconds.")]
 Place = Annotated[int, Meta(ge=0, le=9, description="Number of a goal of the room that has a place, from 0.")]
+Tolerance = Annotated[float, Meta(gt=0, le=10, description="Largest difference, m.")]
 Pattern = Annotated[
     str,
     Meta(
         min_length=1,
         max_length=80,
         description="A channel and its values as Haskell shows them: `Bumper _ Pressed`. "
-        "`_` is any value, `<0` and `>0` compare.",
+        "`_` is any value, `!Black` any other one, `<0` and `>0` compare.",
     ),
 ]
 
@@ -87,6 +96,27 @@ class Moves(_Check, tag="moves"):
     metres: Annotated[float, Meta(gt=0, le=1000)]
 
 
+class Farthest(_Check, tag="farthest"):
+    """The robot comes so far from its start, and not farther: at most ``tolerance`` beside it, m."""
+
+    metres: Annotated[float, Meta(gt=0, le=1000)]
+    tolerance: Tolerance
+
+
+class Back(_Check, tag="back"):
+    """At the end the robot is at its start, at most ``tolerance`` beside it, m."""
+
+    tolerance: Tolerance
+
+
+class Gap(_Check, tag="gap"):
+    """At the end the robot is so far from where it was at the first such event, at most ``tolerance`` beside it, m."""
+
+    event: Pattern
+    metres: Annotated[float, Meta(gt=0, le=1000)]
+    tolerance: Tolerance
+
+
 class Reaches(_Check, tag="reaches"):
     """The speed reaches a value, m/s (backwards when it is negative), at the latest at ``within``."""
 
@@ -111,11 +141,50 @@ class Answers(_Check, tag="answers"):
 
 
 class Silent(_Check, tag="silent"):
-    """A command does not follow an event within so many seconds; the event happens at least once."""
+    """
+    A command does not follow an event from ``after`` to ``within`` seconds later, or until the event happens again; it
+    happens at least once.
+    """
 
     event: Pattern
     command: Pattern
     within: Span = 0.1
+    after: Annotated[float, Meta(ge=0, le=600, description="Seconds.")] = 0.0
+
+
+class Raises(_Check, tag="raises"):
+    """Each time that an event happens, the robot gets faster by at least ``speed``, m/s, within so many seconds."""
+
+    event: Pattern
+    speed: Annotated[float, Meta(gt=0, le=2)]
+    within: Span
+
+
+class Returns(_Check, tag="returns"):
+    """What a command was before the first event comes again at a later one, after others in between."""
+
+    event: Pattern
+    command: Pattern
+
+
+class Varies(_Check, tag="varies"):
+    """The commands have at least so many different values."""
+
+    command: Pattern
+    least: Annotated[int, Meta(ge=2, le=1000)]
+
+
+class Counts(_Check, tag="counts"):
+    """After the n-th event the program says the number n, and no other number; the event happens ``least`` times."""
+
+    event: Pattern
+    least: Annotated[int, Meta(ge=1, le=100)]
+
+
+class Measures(_Check, tag="measures"):
+    """The program says how far the robot has driven, cm, at most ``tolerance`` beside it."""
+
+    tolerance: Annotated[float, Meta(gt=0, le=1000, description="Largest difference, cm.")]
 
 
 class Says(_Check, tag="says"):
@@ -144,5 +213,26 @@ class Functions(_Check, tag="functions"):
 
 
 Check = (
-    Goals | Holds | At | Faces | Still | Moves | Reaches | Sends | Answers | Silent | Says | Ends | Function | Functions
+    Goals
+    | Holds
+    | At
+    | Faces
+    | Still
+    | Moves
+    | Farthest
+    | Back
+    | Gap
+    | Reaches
+    | Raises
+    | Sends
+    | Varies
+    | Returns
+    | Answers
+    | Silent
+    | Says
+    | Counts
+    | Measures
+    | Ends
+    | Function
+    | Functions
 )

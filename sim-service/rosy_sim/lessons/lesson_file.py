@@ -56,6 +56,8 @@ class Step(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True
     right: Identifier | None = None
     # The file of the program that the step begins with; absent: the program as it is.
     program: Annotated[str, Meta(pattern=r"^[A-Za-z0-9-]+\.hs$")] | None = None
+    # Numbers of the lesson's `other_rooms`, from 0, in which a program is run as well before it has passed the step.
+    also_in: Annotated[list[Annotated[int, Meta(ge=0)]], Meta(max_length=2)] = []
     # What hands do in a rehearsal without a learner: lines of `./rosy run --input`.
     hands: list[TimedInput] = []
 
@@ -142,8 +144,10 @@ def read_lesson(folder: Path) -> Lesson:
     world = _world(file, path)
     arena = usable_arena(world, f"{path}: room")
     _examine(file, arena, path)
-    for i, change in enumerate(file.other_rooms):
-        usable_arena({**world, **change}, f"{path}: other_rooms[{i}]")
+    others = [
+        usable_arena({**world, **change}, f"{path}: other_rooms[{i}]") for i, change in enumerate(file.other_rooms)
+    ]
+    _examine_other_rooms(file, others, path)
     start = read_text(folder / "start.hs", tr("program"))
     programs = {step.program: read_text(folder / step.program, tr("program")) for step in file.steps if step.program}
     return Lesson(folder.name, file, world, arena, start, programs, _texts(folder, file))
@@ -252,6 +256,19 @@ def _examine(file: LessonFile, arena: Arena, path: Path) -> None:
         if (watched := checked_step(step)) is not None:
             try:
                 examine_step(watched, arena)
+            except BadStep as error:
+                raise BadInput(tr("{where}.{path}: {why}", where=where, path=error.path, why=error.why)) from error
+
+
+def _examine_other_rooms(file: LessonFile, others: list[Arena], path: Path) -> None:
+    for i, step in enumerate(file.steps):
+        where = f"{path}: at steps[{i}].also_in"
+        watched = checked_step(step)
+        for number in step.also_in:
+            if watched is None or number >= len(others):
+                raise BadInput(tr("{where}: there is no other room {number} for a run.", where=where, number=number))
+            try:
+                examine_step(watched, others[number])
             except BadStep as error:
                 raise BadInput(tr("{where}.{path}: {why}", where=where, path=error.path, why=error.why)) from error
 

@@ -15,13 +15,14 @@ from msgspec import Meta
 from ..robots import DEFAULT_ROBOT
 from ..run.steps.lockstep import Lockstep
 from ..sentences.sentence import Sentence, SentenceError, tr
+from ..wire.verdict import Verdict
 from ..world.arena import Arena
 from ..world.properties import BadProperty, PropertyTracker, read_properties
 from .channel_patterns import BadPattern, channel_pattern
-from .checks import Answers, At, Check, Faces, Holds, Sends, Silent
+from .checks import At, Check, Faces, Holds
 from .program_graph import ProgramGraph
 from .recording import Recording
-from .verdicts import Verdict, judge
+from .verdicts import judge
 
 __all__ = ["MAX_SECONDS", "BadStep", "CheckedStep", "LessonWatch", "examine_step"]
 
@@ -68,10 +69,11 @@ def examine_step(step: CheckedStep, arena: Arena) -> None:
                     raise BadStep(f"{where}.property", tr("a check is about one property."))
             except BadProperty as error:
                 raise BadStep(f"{where}.property", error.sentence) from error
-        for of, name in (("event", "event"), ("command", "command")):
-            if isinstance(check, Answers | Silent) or (isinstance(check, Sends) and of == "command"):
+        for name in ("event", "command"):
+            pattern = getattr(check, name, None)
+            if pattern is not None:
                 try:
-                    channel_pattern(getattr(check, name), of)
+                    channel_pattern(pattern, name)
                 except BadPattern as error:
                     raise BadStep(f"{where}.{name}", error.sentence) from error
 

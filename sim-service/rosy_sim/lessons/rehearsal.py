@@ -10,12 +10,12 @@ from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_program
 from ..run.steps.lockstep import Lockstep
 from ..wire.user_input import TimedInput, user_actions
+from ..wire.verdict import Verdict
 from ..worker.blocking_worker import BlockingWorker
 from ..world.arena import Arena
 from ..world.world import World
 from .lesson_watch import CheckedStep, LessonWatch
 from .program_graph import read_graph
-from .verdicts import Verdict
 
 __all__ = ["Attempt", "attempt"]
 

@@ -17,12 +17,12 @@ import msgspec
 from ..errors import RosyError
 from ..wire.problem import Problem, Sentence, to_wire
 from ..wire.user_input import TimedInput
+from ..wire.verdict import Verdict
 from ..worker.background_process import WorkerSetup, begin_reading, write_line
 from ..worker.blocking_worker import BlockingWorker
 from ..world.arena import read_arena
 from .lesson_watch import CheckedStep
 from .rehearsal import attempt
-from .verdicts import Verdict
 
 __all__ = ["Rehearsals", "Rehearsed", "RehearsedAttempt", "main"]
 

@@ -8,61 +8,48 @@ from __future__ import annotations
 
 import itertools
 import math
+import re
 from collections.abc import Iterable, Sequence
-from typing import Literal
 
-import msgspec
-
+from ..wire.verdict import Seen, Verdict
 from ..world.goals import Reach, Touch
 from ..world.properties import read_properties
 from .channel_patterns import ChannelPattern, channel_pattern
 from .checks import (
     Answers,
     At,
+    Back,
     Check,
+    Counts,
     Ends,
     Faces,
+    Farthest,
     Function,
     Functions,
+    Gap,
     Goals,
     Holds,
+    Measures,
     Moves,
+    Raises,
     Reaches,
+    Returns,
     Says,
     Sends,
     Silent,
     Still,
+    Varies,
 )
 from .program_graph import ProgramGraph
 from .recording import Happening, Recording, Sample
 
-__all__ = ["Seen", "Verdict", "judge"]
+__all__ = ["judge"]
 
 _STANDS = (0.01, 0.05)
 """A robot slower than this stands: m/s, rad/s."""
 
 _SPEED_REACHED = 0.01
 """A speed this near is reached, m/s: the motors approach it step by step."""
-
-
-class Seen(msgspec.Struct, frozen=True, omit_defaults=True):
-    """
-    What a verdict is about: ``what`` is a word of ``protocol/README.md`` section 9, the others are its arguments, in s,
-    m, m/s and degrees.
-    """
-
-    what: str
-    time: float | None = None
-    number: float | None = None
-    name: str | None = None
-
-
-class Verdict(msgspec.Struct, frozen=True, omit_defaults=True):
-    """``open`` may still become one of the others while the run goes on."""
-
-    id: str
-    state: Literal["open", "done", "missed"]
-    seen: Seen | None = None
 
 
 def judge(checks: Sequence[Check], recording: Recording, graph: ProgramGraph | None, final: bool) -> list[Verdict]:
@@ -91,6 +78,20 @@ def _judged(check: Check, recording: Recording, graph: ProgramGraph | None, fina
         case Moves():
             metres = _driven(recording.samples)
             return _sooner_or_later(check, metres >= check.metres, final, Seen("drove", number=metres))
+        case Farthest() | Back() | Gap():
+            return _place_left(check, recording, final)
+        case Raises():
+            return _raises(check, recording, final)
+        case Returns():
+            return _returns(check, recording, final)
+        case Varies():
+            found = _matching(channel_pattern(check.command, "command"), recording.commands)
+            count = len({command.values for command in found})
+            return _sooner_or_later(check, count >= check.least, final, Seen("varied", number=float(count)))
+        case Counts():
+            return _counts(check, recording, final)
+        case Measures():
+            return _measures(check, recording, final)
         case Reaches():
             return _reaches(check, recording, final)
         case Ends():
@@ -204,6 +205,107 @@ def _reaches(check: Reaches, recording: Recording, final: bool) -> Verdict:
     return _sooner_or_later(check, fastest >= abs(check.speed) - _SPEED_REACHED, is_late, seen)
 
 
+def _place_left(check: Farthest | Back | Gap, recording: Recording, final: bool) -> Verdict:
+    """How far the robot came, or stands at the end, from a place where it was before."""
+    if not recording.samples:
+        return Verdict(check.id, "open")
+    first, last = recording.samples[0], recording.samples[-1]
+    is_over = final or recording.done is not None
+    if isinstance(check, Farthest):
+        gap = max(math.dist((first.x, first.y), (one.x, one.y)) for one in recording.samples)
+        seen = Seen("came-far", number=gap)
+        if gap > check.metres + check.tolerance:
+            return _missed(check, seen)
+        return _sooner_or_later(check, is_over and gap >= check.metres - check.tolerance, is_over, seen)
+    wanted = 0.0
+    if isinstance(check, Gap):
+        wanted = check.metres
+        events = _matching(channel_pattern(check.event, "event"), recording.events)
+        if not events:
+            return _sooner_or_later(check, False, is_over, Seen("not-happened", number=0.0, name=check.event))
+        first = next(one for one in recording.samples if one.time >= events[0].time - 1e-9)
+    gap = math.dist((first.x, first.y), (last.x, last.y))
+    seen = Seen("ends-far" if isinstance(check, Gap) else "not-back", number=gap)
+    return _sooner_or_later(check, is_over and abs(gap - wanted) <= check.tolerance, is_over, seen)
+
+
+def _raises(check: Raises, recording: Recording, final: bool) -> Verdict:
+    events = _matching(channel_pattern(check.event, "event"), recording.events)
+    for event in events:
+        latest = event.time + check.within + 1e-9
+        before = next((one.v for one in reversed(recording.samples) if one.time < event.time - 1e-9), 0.0)
+        fastest = max(one.v for one in recording.samples if event.time - 1e-9 <= one.time <= latest)
+        if fastest - before >= check.speed - 1e-9:
+            continue
+        if recording.time > latest or final or recording.done is not None:
+            return _missed(check, Seen("not-faster", event.time, before, check.event))
+        return Verdict(check.id, "open")
+    if not events:
+        return _sooner_or_later(check, False, final, Seen("not-happened", number=0.0, name=check.event))
+    return _done(check) if final or recording.done is not None else Verdict(check.id, "open")
+
+
+def _returns(check: Returns, recording: Recording, final: bool) -> Verdict:
+    events = _matching(channel_pattern(check.event, "event"), recording.events)
+    commands = _matching(channel_pattern(check.command, "command"), recording.commands)
+    if not events:
+        return _sooner_or_later(check, False, final, Seen("not-happened", number=0.0, name=check.event))
+    before = [command.values for command in commands if command.time < events[0].time - 1e-9]
+    others = itertools.dropwhile(
+        lambda values: not before or values == before[-1],
+        (command.values for command in commands if command.time > events[0].time - 1e-9),
+    )
+    is_back = any(values == before[-1] for values in others)
+    return _sooner_or_later(check, is_back, final, Seen("not-again", number=float(len(events)), name=check.event))
+
+
+_NUMBER = re.compile(r"-?\d+(?:\.\d+)?")
+
+
+def _numbers(command: Happening) -> list[float]:
+    """The numbers in a text that is said."""
+    return [float(found) for found in _NUMBER.findall(str(command.values[0]))]
+
+
+def _counts(check: Counts, recording: Recording, final: bool) -> Verdict:
+    events = _matching(channel_pattern(check.event, "event"), recording.events)
+    said = [(command.time, _numbers(command)) for command in recording.commands if command.channel == "Say"]
+    for time, numbers in said:
+        happened = sum(event.time <= time + 1e-9 for event in events)
+        if numbers and numbers != [happened]:
+            return _missed(check, Seen("miscounted", time, float(happened), f"{numbers[0]:g}"))
+    for count, event in enumerate(events, 1):
+        until = events[count].time if count < len(events) else math.inf
+        is_told = any(numbers == [count] and event.time - 1e-9 <= time < until for time, numbers in said)
+        if is_told or (until == math.inf and count > check.least):
+            continue
+        return _sooner_or_later(
+            check, False, until < math.inf or final, Seen("no-answer", event.time, name=check.event)
+        )
+    seen = Seen("not-happened", number=float(len(events)), name=check.event)
+    if len(events) >= check.least:
+        return _done(check) if final or recording.done is not None else Verdict(check.id, "open")
+    return _sooner_or_later(check, False, final, seen)
+
+
+def _measures(check: Measures, recording: Recording, final: bool) -> Verdict:
+    driven = 0.0
+    samples = iter(itertools.pairwise(recording.samples))
+    for command in recording.commands:
+        if command.channel != "Say":
+            continue
+        for one, other in samples:
+            driven += 100 * math.dist((one.x, one.y), (other.x, other.y))
+            if other.time >= command.time - 1e-9:
+                break
+        # A 0 before the robot has driven measures nothing.
+        has_driven = driven > 2 * check.tolerance
+        if has_driven and any(abs(number - driven) <= check.tolerance for number in _numbers(command)):
+            return _done(check)
+    seen = Seen("not-measured", number=_driven(recording.samples) * 100)
+    return _sooner_or_later(check, False, final or recording.done is not None, seen)
+
+
 def _says(check: Says, recording: Recording, final: bool) -> Verdict:
     said = [str(command.values[0]) for command in recording.commands if command.channel == "Say"]
     left = list(check.texts)
@@ -245,10 +347,12 @@ def _answers(check: Answers, recording: Recording, final: bool) -> Verdict:
 def _silent(check: Silent, recording: Recording, final: bool) -> Verdict:
     commands = _matching(channel_pattern(check.command, "command"), recording.commands)
     events = _matching(channel_pattern(check.event, "event"), recording.events)
-    for event in events:
+    for i, event in enumerate(events):
+        until = events[i + 1].time if i + 1 < len(events) and check.after > 0 else math.inf
         for command in commands:
-            if event.time - 1e-9 <= command.time <= event.time + check.within + 1e-9:
-                return _missed(check, Seen("answer", event.time, name=check.event))
+            passed = command.time - event.time
+            if check.after - 1e-9 <= passed <= check.within + 1e-9 and command.time < until:
+                return _missed(check, Seen("answer", command.time, name=check.event))
     if not events:
         return _sooner_or_later(check, False, final, Seen("not-happened", number=0.0, name=check.event))
     return _done(check) if final or recording.done is not None else Verdict(check.id, "open")

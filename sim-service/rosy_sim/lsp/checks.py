@@ -1,5 +1,5 @@
 """
-Checks of the open documents by the worker: one at a time per document, the newest text only.
+Checks of the open documents by the worker and the text service: one at a time per document, the newest text only.
 
 A change cancels the check of the older text, in the worker as well, and the next one begins after a pause in typing.
 """
@@ -7,7 +7,7 @@ A change cancels the check of the older text, in the worker as well, and the nex
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 from dataclasses import dataclass, field
 
 import msgspec
@@ -46,6 +46,7 @@ class DocumentChecks:
     Checks of any number of documents.
 
     Args:
+        conflicts: warnings that the worker does not give.
         on_checked: called with each answer.
         on_failed: called with the sentence when a text cannot be checked.
     """
@@ -53,10 +54,12 @@ class DocumentChecks:
     def __init__(
         self,
         worker: WorkerSupervisor,
+        conflicts: Callable[[Document], Awaitable[list[Problem]]],
         on_checked: Callable[[CheckedDocument], None],
         on_failed: Callable[[Document, Sentence], None],
     ) -> None:
         self._worker = worker
+        self._conflicts = conflicts
         self._on_checked = on_checked
         self._on_failed = on_failed
         self._tasks: dict[str, asyncio.Task[None]] = {}
@@ -98,7 +101,7 @@ class DocumentChecks:
         await asyncio.sleep(pause)
         while True:
             try:
-                answer = await self._worker.check(document.text)
+                answer = await self._worker.check(document.source)
             except WorkerLost:
                 # The worker that takes its place is asked again.
                 continue
@@ -107,15 +110,15 @@ class DocumentChecks:
                 self._on_failed(document, sentence_of(error) if str(error) else tr("it takes too long"))
                 return
             break
-        checked = _decoded(document, answer)
+        checked = _decoded(document, answer, await self._conflicts(document))
         self._latest[document.uri] = checked
         self._on_checked(checked)
 
 
-def _decoded(document: Document, answer: Checked) -> CheckedDocument:
+def _decoded(document: Document, answer: Checked, conflicts: list[Problem]) -> CheckedDocument:
     return CheckedDocument(
         document,
-        answer.problems,
+        [*answer.problems, *conflicts],
         _declarations.decode(answer.declarations),
         _types.decode(answer.types),
         answer.declarations,

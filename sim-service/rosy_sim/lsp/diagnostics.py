@@ -62,7 +62,7 @@ def range_of(document: Document, problem: Problem, declarations: Sequence[Declar
         if declared.name == problem.function:
             return document.range(declared.start, declared.end)
     start = Place(1, 1)
-    first_line = document.text.split("\n", 1)[0]
+    first_line = document.source.split("\n", 1)[0]
     return document.range(start, Place(1, len(first_line) + 1))
 
 
@@ -88,7 +88,7 @@ def code_actions(
         if _before(where.end, asked.start) or _before(asked.end, where.start):
             continue
         diagnostic = _diagnostic(document, problem, declarations, language)
-        for number, fix in enumerate(worded(problem, language).fixes or []):
+        for number, fix in enumerate(worded(problem, language).fixes):
             actions.append(
                 types.CodeAction(
                     title=neutralize(fix.title),

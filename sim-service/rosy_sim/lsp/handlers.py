@@ -101,7 +101,7 @@ async def _hover(ls: EditorSession, params: types.HoverParams) -> types.Hover | 
     place = document.place(params.position)
     found = checked.types.innermost(place)
     try:
-        token = await ls.text_service.token(document.text, place)
+        token = await ls.text_service.token(document, place)
         known = await ls.text_service.names()
     except TextServiceMissing:
         token, known = None, []
@@ -131,13 +131,13 @@ async def _complete(ls: EditorSession, params: types.CompletionParams) -> types.
         return None
     place = document.place(params.position)
     try:
-        token = await ls.text_service.token(document.text, place)
+        token = await ls.text_service.token(document, place)
     except TextServiceMissing:
         token = None
     if token is not None and token.kind in _NOT_CODE:
         return None
     try:
-        answer = await ls.worker.complete(document.text, place.line, place.column)
+        answer = await ls.worker.complete(document.source, place.line, place.column)
     except (RosyError, TimeoutError):
         return None
     names = msgspec.json.decode(answer.names, type=list[_Suggestion])
@@ -181,7 +181,7 @@ async def _signature(ls: EditorSession, params: types.SignatureHelpParams) -> ty
     checked = ls.checks.latest(document.uri)
     declared = checked.raw_declarations if checked is not None else []
     try:
-        call = await ls.text_service.signature(document.text, document.place(params.position), declared)
+        call = await ls.text_service.signature(document, document.place(params.position), declared)
     except TextServiceMissing:
         return None
     if call is None:
@@ -211,7 +211,7 @@ async def _prepare_rename(
     document = ls.documents.get(params.text_document.uri)
     if document is None:
         return None
-    token = await _or_failed(ls, ls.text_service.token(document.text, document.place(params.position)))
+    token = await _or_failed(ls, ls.text_service.token(document, document.place(params.position)))
     if token is None or token.kind not in ("name", "type"):
         return None
     return types.PrepareRenamePlaceholder(document.range(token.start, token.end), token.text)
@@ -222,7 +222,7 @@ async def _rename(ls: EditorSession, params: types.RenameParams) -> types.Worksp
     if document is None:
         return None
     place = document.place(params.position)
-    renamed = await _or_failed(ls, ls.text_service.rename(document.text, place, params.new_name))
+    renamed = await _or_failed(ls, ls.text_service.rename(document, place, params.new_name))
     if renamed.why:
         raise JsonRpcException(renamed.why, code=_REQUEST_FAILED)
     return workspace_edit(document, document.text_edits(renamed.edits))
@@ -232,7 +232,7 @@ async def _format(ls: EditorSession, params: types.DocumentFormattingParams) -> 
     document = ls.documents.get(params.text_document.uri)
     if document is None:
         return None
-    formatted = await _or_failed(ls, ls.text_service.format(document.text))
+    formatted = await _or_failed(ls, ls.text_service.format(document))
     if formatted.left > 0:
         ls.log(ls.language.put(tr("{count} definitions were left as they are.", count=formatted.left)))
     return list(_line_edits(document, formatted.text))
@@ -248,14 +248,16 @@ async def _or_failed(ls: EditorSession, answer: Any) -> Any:
 
 def _line_edits(document: Document, text: str) -> Iterator[types.TextEdit]:
     """The lines that differ."""
-    old, new = document.text.splitlines(keepends=True), text.splitlines(keepends=True)
+    old, new = document.source.splitlines(keepends=True), text.splitlines(keepends=True)
+    # The source of a document without any line feed has line feeds in place of its carriage returns.
+    line_end = "\n" if "\n" in document.text else "\r" if "\r" in document.text else "\n"
     offsets = [0]
     for line in old:
         offsets.append(offsets[-1] + len(line))
     for tag, first, last, start, end in difflib.SequenceMatcher(None, old, new, autojunk=False).get_opcodes():
         if tag != "equal":
-            where = types.Range(document.position(offsets[first]), document.position(offsets[last]))
-            yield types.TextEdit(where, "".join(new[start:end]))
+            where = types.Range(document.source_position(offsets[first]), document.source_position(offsets[last]))
+            yield types.TextEdit(where, "".join(new[start:end]).replace("\n", line_end))
 
 
 # Running
@@ -263,10 +265,10 @@ def _line_edits(document: Document, text: str) -> Iterator[types.TextEdit]:
 
 def _code_lenses(ls: EditorSession, params: types.CodeLensParams) -> list[types.CodeLens]:
     document = ls.documents.get(params.text_document.uri)
-    found = _MAIN.search(document.text) if document is not None else None
+    found = _MAIN.search(document.source) if document is not None else None
     if document is None or found is None:
         return []
-    where = types.Range(document.position(found.start()), document.position(found.end()))
+    where = types.Range(document.source_position(found.start()), document.source_position(found.end()))
     command = types.Command(f"▶ {ls.language.put(tr('Run in the simulator'))}", RUN_COMMAND, arguments=[document.uri])
     return [types.CodeLens(where, command)]
 
@@ -282,7 +284,7 @@ async def _run(ls: EditorSession, uri: str) -> dict[str, object] | None:
     run = ls.runs[uri] = ProgramRun(ls.worker, ls.limits, progress.show, lambda line: ls.log(line))
     progress.on_cancel(run)
     try:
-        report = await run.run(document.text, ls.choice)
+        report = await run.run(document.source, ls.choice)
     finally:
         if ls.runs.get(uri) is run:
             del ls.runs[uri]

@@ -17,10 +17,10 @@ from concurrent.futures import Future
 from dataclasses import dataclass, field
 
 from ..config import Limits
-from ..errors import WorkerLost
+from ..errors import WorkerFailed, WorkerLost
 from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_over_link
-from ..run.problems import worker_lost
+from ..run.problems import worker_lost, worker_problem
 from ..run.steps.lockstep import Lockstep
 from ..sentences.sentence import Sentence, tr
 from ..sentences.wording import Wording
@@ -128,8 +128,8 @@ class ProgramRun:
             try:
                 program = await self._worker.start(source, theirs)
                 answer = await asyncio.wait_for(program.started, self._limits.compile)
-            except WorkerLost:
-                report.ended, report.problems = "error", [worker_lost(0.0)]
+            except (WorkerFailed, WorkerLost) as error:
+                report.ended, report.problems = "error", [worker_problem(error)]
                 return report
             if isinstance(answer, Refused):
                 report.problems = answer.problems

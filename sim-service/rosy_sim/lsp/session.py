@@ -26,7 +26,7 @@ from .diagnostics import diagnostics
 from .document import Document
 from .documentation import read_documentation
 from .program_run import ProgramRun, RunChoice
-from .text_service import TextService
+from .text_service import TextService, TextServiceMissing
 
 __all__ = ["EditorSession"]
 
@@ -52,8 +52,8 @@ class EditorSession(LanguageServer):
         self.language = machine_wording()
         self.documents: dict[str, Document] = {}
         self.worker = WorkerSupervisor(config, self._on_worker_status)
-        self.checks = DocumentChecks(self.worker, self._on_checked, self._on_check_failed)
-        self.text_service = TextService(config.root / "codegen" / "dist" / "cli.js")
+        self.checks = DocumentChecks(self.worker, self._conflicts, self._on_checked, self._on_check_failed)
+        self.text_service = TextService(config.text_service, lambda: self.language.language)
         self.documentation = read_documentation(config.api_docs)
         # Runs by the URI of their document.
         self.runs: dict[str, ProgramRun] = {}
@@ -139,6 +139,14 @@ class EditorSession(LanguageServer):
         if document.uri not in self._told:
             self._told.add(document.uri)
             self.tell(types.MessageType.Warning, tr("This program could not be checked: {why}", why=why))
+
+    async def _conflicts(self, document: Document) -> list[Problem]:
+        """None where the text service is missing, which the log says."""
+        try:
+            return await self.text_service.conflicts(document)
+        except TextServiceMissing as error:
+            self.log(self.language.put(error.no_conflicts))
+            return []
 
     # Worker
 

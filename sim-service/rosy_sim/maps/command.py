@@ -42,6 +42,8 @@ def make_room(options: argparse.Namespace, say: Callable[[Sentence], None]) -> i
             y=y,
         )
     )
+    if room.unknown:
+        say(tr("Hatched, because no scan has seen it: {area} m².", area=round(room.unknown, 2)))
     if room.specks:
         say(tr("Left out, because they have fewer than {cells} cells: {n}.", cells=SMALLEST, n=room.specks))
     return 0

@@ -10,9 +10,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 
-from .graymap import Graymap
+from .map_file import MapFile, Mode
+from .map_image import MapImage
 
-__all__ = ["Occupancy", "bits", "eroded", "occupancy_of"]
+__all__ = ["Occupancy", "bits", "dilated", "eroded", "occupancy_of"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,6 +26,11 @@ class Occupancy:
     free: list[int]
     left: int = 0
     bottom: int = 0
+
+    def unknown(self) -> list[int]:
+        """The cells that are neither occupied nor free."""
+        every = (1 << self.width) - 1
+        return [every & ~(a | b) for a, b in zip(self.occupied, self.free, strict=True)]
 
     def cropped(self) -> Occupancy:
         """Without the unknown margins; with no cells when none is known."""
@@ -47,19 +53,55 @@ class Occupancy:
         )
 
 
-def occupancy_of(image: Graymap, *, negate: bool, occupied_above: float, free_below: float) -> Occupancy:
-    """The cells of an image, by the rules of ``map_server``."""
-    share = [(v if negate else 255 - v) / 255 for v in range(256)]
-    occupied = bytes(ord("1") if s > occupied_above else ord("0") for s in share)
-    free = bytes(ord("1") if s < free_below and not s > occupied_above else ord("0") for s in share)
+def occupancy_of(image: MapImage, file: MapFile) -> Occupancy:
+    """
+    The cells of an image, by the rules of ``map_server``, but what its saver marks as unknown is unknown.
+
+    ROS 2's saver writes unknown cells as level 205 beside a default ``free_thresh`` of 0.25, which would make them
+    free.
+    """
+    occupied, free = _occupied_and_free_levels(file)
     # The last pixel of a row is the first digit of its number; the last row of an image is the lowest.
-    rows = [image.pixels[i * image.width : (i + 1) * image.width][::-1] for i in range(image.height)][::-1]
+    starts = range(0, image.width * image.height, image.width)[::-1]
+    rows = [image.pixels[i : i + image.width][::-1] for i in starts]
+    opaque = [
+        int(image.opacity[i : i + image.width][::-1].translate(_OPAQUE), 2) if image.opacity else -1 for i in starts
+    ]
     return Occupancy(
         image.width,
         image.height,
-        [int(row.translate(occupied), 2) for row in rows],
-        [int(row.translate(free), 2) for row in rows],
+        [int(row.translate(occupied), 2) & known for row, known in zip(rows, opaque, strict=True)],
+        [int(row.translate(free), 2) & known for row, known in zip(rows, opaque, strict=True)],
     )
+
+
+_OPAQUE = bytes(ord("1") if level == 255 else ord("0") for level in range(256))
+
+_UNKNOWN_LEVELS: dict[Mode, tuple[int, ...]] = {"trinary": (205,), "scale": (205, 127, 128), "raw": ()}
+"""Levels of grey that savers write for unknown cells; in mode scale the middle one where the image has no opacity."""
+
+_MOST_RAW = 100
+"""Pixels of mode raw are occupancies in percent; all above are unknown."""
+
+
+def _occupied_and_free_levels(file: MapFile) -> tuple[bytes, bytes]:
+    """For each level of grey a ``1`` where it is occupied, and where it is free."""
+    occupied, free = bytearray(b"0" * 256), bytearray(b"0" * 256)
+    marks = _UNKNOWN_LEVELS[file.mode]
+    for level in range(256):
+        if file.mode == "raw":
+            if level > _MOST_RAW:
+                continue
+            share = level / _MOST_RAW
+        else:
+            share = (level if file.negate else 255 - level) / 255
+        if level in marks or (file.negate and 255 - level in marks):
+            continue
+        if share >= file.occupied_from:
+            occupied[level] = ord("1")
+        elif share <= file.free_to:
+            free[level] = ord("1")
+    return bytes(occupied), bytes(free)
 
 
 def bits(row: int) -> Iterator[int]:
@@ -75,3 +117,9 @@ def eroded(rows: list[int], *, square: bool) -> list[int]:
     inner = [row & row << 1 & row >> 1 for row in rows]
     beside = [0, *(inner if square else rows), 0]
     return [row & beside[y] & beside[y + 2] for y, row in enumerate(inner)]
+
+
+def dilated(rows: list[int]) -> list[int]:
+    """The cells and their four neighbours, those of the grid and others to its left."""
+    beside = [0, *rows, 0]
+    return [row | row << 1 | row >> 1 | beside[y] | beside[y + 2] for y, row in enumerate(rows)]

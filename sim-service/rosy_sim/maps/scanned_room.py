@@ -2,7 +2,7 @@
 Rooms from maps: a map file and its image in, a world as ``protocol/world.schema.json`` says out.
 
 The axes of the room are those of the image, moved to the lower left corner of what is known; the yaw of a map turns
-only the start.
+only the start. What no scan has seen becomes boxes marked as unknown: nothing enters them.
 """
 
 from __future__ import annotations
@@ -15,11 +15,12 @@ from ..errors import BadInput
 from ..robots import DEFAULT_ROBOT
 from ..sentences.sentence import tr
 from ..world.arena import MAX_SHAPES, WALL_THICKNESS
-from ..world.field_readers import MAX_SIDE
-from .graymap import read_graymap
+from ..world.field_readers import MAX_SIDE, MIN_LENGTH
 from .map_file import MapFile, read_map_file
+from .map_image import read_map_image
 from .occupancy import Occupancy, eroded, occupancy_of
 from .outlines import Cell, edge_count, outlines, segments_of
+from .unknown_areas import CellRectangle, unknown_areas
 
 __all__ = ["SMALLEST", "ScannedRoom", "room_of_map"]
 
@@ -49,6 +50,8 @@ class ScannedRoom:
     walls: int
     start: tuple[float, float]
     specks: int
+    # Area that no scan has seen, m².
+    unknown: float
 
 
 def room_of_map(path: Path) -> ScannedRoom:
@@ -59,12 +62,7 @@ def room_of_map(path: Path) -> ScannedRoom:
         BadInput: the map or its image cannot be read, or makes no room.
     """
     file = read_map_file(path)
-    full = occupancy_of(
-        read_graymap(file.image),
-        negate=file.negate,
-        occupied_above=file.occupied_above,
-        free_below=file.free_below,
-    )
+    full = occupancy_of(read_map_image(file.image), file)
     if not any(full.free):
         raise BadInput(tr("{path} has no free cells, so there is no room in it.", path=path))
     if edge_count(full.occupied) > _MAX_EDGES:
@@ -93,14 +91,24 @@ def room_of_map(path: Path) -> ScannedRoom:
                 most=MAX_SHAPES,
             )
         )
+    areas = unknown_areas(grid, MAX_SHAPES - len(lines))
+    if areas is None:
+        raise BadInput(
+            tr("The area that no scan has seen in {path} is too ragged; cut a part out of its image.", path=path)
+        )
+    for area in areas:
+        for row in area.rows():
+            grid.free[row] &= ~area.mask()
     x, y = _start(path, file, grid)
     world: dict[str, object] = {
         "name": path.stem,
         "size": [width, height],
         "start": {"x": x, "y": y, "theta": round(-file.origin[2], _DECIMALS) + 0.0},
         "walls": [{"from": _middle(a, grid, size), "to": _middle(b, grid, size)} for a, b in lines],
+        **({"boxes": [_box(area, size) for area in areas]} if areas else {}),
     }
-    return ScannedRoom(world, width, height, len(lines), (x, y), specks)
+    unknown = sum(row.bit_count() for row in grid.unknown()) * size * size
+    return ScannedRoom(world, width, height, len(lines), (x, y), specks, unknown)
 
 
 def _without_specks(grid: Occupancy) -> tuple[list[list[Cell]], int]:
@@ -125,6 +133,17 @@ def _without_specks(grid: Occupancy) -> tuple[list[list[Cell]], int]:
 def _middle(cell: Cell, grid: Occupancy, size: float) -> list[float]:
     x, y = cell
     return [round((x - grid.left + 0.5) * size, _DECIMALS), round((y - grid.bottom + 0.5) * size, _DECIMALS)]
+
+
+def _box(area: CellRectangle, size: float) -> dict[str, object]:
+    """A box of the room that stands for an unknown area."""
+    return {
+        "x": round((area.left + area.right) / 2 * size, _DECIMALS),
+        "y": round((area.bottom + area.top) / 2 * size, _DECIMALS),
+        "w": max(MIN_LENGTH, round((area.right - area.left) * size, _DECIMALS)),
+        "h": max(MIN_LENGTH, round((area.top - area.bottom) * size, _DECIMALS)),
+        "unknown": True,
+    }
 
 
 def _start(path: Path, file: MapFile, grid: Occupancy) -> tuple[float, float]:

@@ -16,6 +16,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from ..errors import BadInput
+from ..ros2.transports.address import parse_ros2_address
 from ..sentences.sentence import tr
 
 __all__ = ["PORTS", "Driver", "active_drivers", "canonical_address", "emergency_stop"]
@@ -93,6 +94,9 @@ def canonical_address(address: str) -> str:
     bare = address.partition("?")[0]
     if bare.startswith("serial:"):
         return "serial:" + os.path.realpath(bare.removeprefix("serial:"))
+    on_ros2 = parse_ros2_address(bare)
+    if on_ros2 is not None:
+        return on_ros2.bare()
     try:
         parts = urlsplit(bare)
         port = parts.port or PORTS.get(parts.scheme)

@@ -18,6 +18,7 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from ..errors import BadInput, RobotMissing
+from ..ros2.robot_bridge import bridged
 from ..sentences.sentence import tr
 from ..sentences.wording import in_terminal
 from ..wire.problem import Problem
@@ -51,8 +52,16 @@ def run_on_robot(
     Raises:
         BadInput: the address is not valid, or another process drives the robot.
         RobotMissing: the address does not answer.
+        RosyError: what speaks ROS 2 does not start.
     """
     robot_executable = check_address(robot_executable, address)
+    with bridged(address) as reached:
+        return _run(worker, robot_executable, source, reached, seconds, log)
+
+
+def _run(
+    worker: BlockingWorker, robot_executable: Path, source: str, address: str, seconds: float, log: Path | None
+) -> tuple[list[Problem], int]:
     for driver in active_drivers():
         if canonical_address(driver.address) == canonical_address(address):
             raise BadInput(

@@ -1,5 +1,6 @@
 """
-Robot configuration: the robots that pages may drive, from the options ``--robot NAME=ADDRESS`` and ``--robots FILE``.
+Robot configuration: the robots that pages may drive, from the options ``--robot NAME=ADDRESS`` and ``--robots FILE``,
+and where robots are discovered, from ``--robot ros2:DOMAIN``.
 """
 
 from __future__ import annotations
@@ -10,10 +11,13 @@ from pathlib import Path
 import msgspec
 
 from ..errors import BadInput
+from ..files import read_text
+from ..ros2.robot_bridge import check_installed
+from ..ros2.transports.address import parse_ros2_address
 from ..sentences.sentence import tr, verbatim
 from .driver_locks import canonical_address
 
-__all__ = ["check_address", "read_robot_configuration"]
+__all__ = ["check_address", "read_nearby_addresses", "read_robot_configuration"]
 
 _MAX_NAME = 40
 """Characters of a robot's name."""
@@ -46,11 +50,24 @@ def read_robot_configuration(robot_executable: Path | None, given: list[str], fi
     return robots
 
 
+def read_nearby_addresses(robot_executable: Path | None, given: list[str]) -> tuple[list[str], tuple[str, ...]]:
+    """
+    The options that name a robot, and those that are addresses of ROS 2 without a name: all robots there are meant.
+
+    Raises:
+        BadInput: one of these addresses cannot be used.
+    """
+    nearby = [text for text in given if parse_ros2_address(text) is not None]
+    for address in nearby:
+        check_address(robot_executable, address)
+        check_installed()
+    return [text for text in given if text not in nearby], tuple(nearby)
+
+
 def _in_file(file: Path) -> list[tuple[str, str]]:
+    text = read_text(file, tr("list of robots"))
     try:
-        return list(msgspec.json.decode(file.read_bytes(), type=dict[str, str]).items())
-    except OSError as error:
-        raise BadInput(tr("{file} cannot be read: {why}.", file=file, why=error.strerror or "")) from error
+        return list(msgspec.json.decode(text, type=dict[str, str]).items())
     except msgspec.DecodeError as error:
         raise BadInput(
             tr(

@@ -97,7 +97,7 @@ class RobotOwnership:
         """Tell the page which robots there are, if there are any."""
         if self._registry:
             robots = [] if self._locked else self._registry.robots_for(self._session)
-            self._send(page.Robots(self._locked, robots))
+            self._send(page.Robots(self._locked, robots, self._registry.discovers))
 
     def unlock(self, code: str, address: str) -> None:
         """

@@ -9,11 +9,10 @@ from __future__ import annotations
 
 from functools import cache
 from pathlib import Path
-from typing import Any
 from urllib.parse import parse_qs
 
-import msgspec
-
+from ..errors import BadInput
+from ..files import read_json
 from ..robot_description import description, known_robots
 from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
@@ -60,8 +59,11 @@ def _option(address: str, name: str) -> str | None:
         return options[name][0]
     for file in options.get("profile", []):
         try:
-            profile: dict[str, Any] = msgspec.json.decode(Path(file).read_bytes(), type=dict[str, Any])
-        except (OSError, msgspec.DecodeError):
+            profile = read_json(Path(file), tr("robot's profile"))
+        except BadInput:
+            # rosy-robot says what is wrong with it.
+            continue
+        if not isinstance(profile, dict):
             continue
         value = profile.get(name)
         if isinstance(value, str | bool):

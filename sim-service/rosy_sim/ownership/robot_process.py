@@ -17,11 +17,16 @@ from typing import Literal, Protocol
 import msgspec
 
 from ..config import Limits
+from ..errors import RosyError
+from ..ros2.robot_bridge import bridged
+from ..wire.problem import to_wire
 from ..wire.robot_process import (
     CommandsLine,
     EndedLine,
     Line,
+    LinkLine,
     decode_line,
+    encode_alive,
     encode_record,
     encode_request,
     encode_switch,
@@ -103,9 +108,10 @@ class RobotProcess:
         """End the emergency stop."""
         self._send("free")
 
-    def alive(self) -> None:
-        """Confirm that the page is visible and connected."""
-        self._send("alive")
+    def alive(self, time: float) -> None:
+        """The page was visible and connected at ``time``, s of ``CLOCK_BOOTTIME``."""
+        if self._process is not None:
+            self._write(encode_alive(time))
 
     def switch_safety(self, on: bool) -> None:
         """Switch the safety rules; rosy-robot answers with its settings."""
@@ -129,7 +135,7 @@ class RobotProcess:
             with contextlib.suppress(asyncio.CancelledError):
                 await self._supervision
 
-    def _send(self, op: Literal["run", "stop", "estop", "free", "alive"]) -> None:
+    def _send(self, op: Literal["run", "stop", "estop", "free"]) -> None:
         self._write(encode_request(op))
 
     def _write(self, request: bytes) -> None:
@@ -141,8 +147,10 @@ class RobotProcess:
     async def _supervise(self, executable: Path, address: str, limits: Limits, theirs: socket.socket) -> None:
         """From the start of the process to its end."""
         process: asyncio.subprocess.Process | None = None
+        bridge = contextlib.ExitStack()
         try:
             with theirs:
+                address = await self._reached(bridge, address)
                 process = await asyncio.create_subprocess_exec(
                     str(executable),
                     "hold",
@@ -172,12 +180,24 @@ class RobotProcess:
         finally:
             if process is not None:
                 await _reap(process)
+            # First: this task may be cancelled while the bridge ends.
             self._control_socket.close()
+            await asyncio.to_thread(bridge.close)
             for run in self._runs:
                 run.on_lost()
             self._runs.clear()
             if not self._closed:
                 self._listener.on_gone()
+
+    async def _reached(self, bridge: contextlib.ExitStack, address: str) -> str:
+        """The address for rosy-robot; a robot on ROS 2 is looked for until it is there or this process is closed."""
+        while True:
+            try:
+                return await asyncio.to_thread(bridge.enter_context, bridged(address, lambda: not self._closed))
+            except RosyError as error:
+                if self._closed:
+                    return address
+                self._listener.on_line(LinkLine("connecting", str(error), to_wire(error.sentence)))
 
     def _handle(self, line: Line) -> None:
         if isinstance(line, EndedLine):

@@ -1,5 +1,5 @@
 """
-Pool of preview processes: half of the cores, but at least one, may be busy with the previews of all pages.
+Pool of preview processes: as many may be busy with previews as the queue has places.
 
 A process is started when a preview needs one, or is likely to be asked for soon, and ended when it has been idle for a
 while. Runs of pages have a worker of their own, so previews take only what they leave of the machine.
@@ -9,16 +9,16 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import os
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 import msgspec
 
+from ..accounting.client import Client
+from ..accounting.fair_queue import FairQueue, Lease
 from ..config import Config
 from ..errors import RosyError, WorkerLost, WorkerMissing
-from ..run.run_queue import RunQueue
 from ..sentences.sentence import tr
 from ..wire.page import Previewed
 from ..worker.background_process import WorkerSetup, reap, start_process
@@ -43,9 +43,9 @@ class _Process:
         # Ends it when it stays idle.
         self.idle: asyncio.TimerHandle | None = None
 
-    async def ask(self, task: PreviewTask) -> Previewed:
+    async def ask(self, task: PreviewTask, is_shortened: bool = False) -> Previewed:
         """
-        The result of a task.
+        The result of a task; of a shortened one the first piece.
 
         Raises:
             WorkerLost: the process died or did not answer in time.
@@ -54,7 +54,7 @@ class _Process:
         assert self._process.stdout is not None
         try:
             async with asyncio.timeout(self._longest):
-                self._process.stdin.write(msgspec.json.encode(task) + b"\n")
+                self._process.stdin.write(msgspec.json.encode(task) + (b"\n\n" if is_shortened else b"\n"))
                 await self._process.stdin.drain()
                 line = await self._process.stdout.readline()
         except (TimeoutError, OSError, ValueError) as error:
@@ -84,24 +84,32 @@ class _Job:
     # The process that is busy with it.
     process: _Process | None = None
     is_cancelled: bool = False
+    is_shortened: bool = False
 
     def cancel(self) -> None:
         self.is_cancelled = True
+        self.shorten()
+
+    def shorten(self) -> None:
+        """End it early, with the path so far; also when its process is not ready yet."""
+        self.is_shortened = True
         if self.process is not None:
             self.process.cancel()
 
 
 class PreviewPool:
-    """One preview per call of ``run``; a page waits for others in the order of the requests."""
+    """One preview per call of ``run``; one that takes long ends early for a client that waits."""
 
-    def __init__(self, config: Config) -> None:
+    def __init__(self, config: Config, queue: FairQueue) -> None:
         self._config = config
-        self._queue = RunQueue(max(1, len(os.sched_getaffinity(0)) // 2))
+        self._queue = queue
         self._idle: list[_Process] = []
         self._all: set[_Process] = set()
         # Computations and endings that are not finished.
         self._tasks: set[asyncio.Task[Any]] = set()
         self._closed = False
+        # Starts a process for a preview that is to come.
+        self._preparation: asyncio.Task[None] | None = None
 
     @property
     def processes(self) -> int:
@@ -110,12 +118,12 @@ class PreviewPool:
 
     def prepare(self) -> None:
         """Start a process if there is none, for a preview that is to come. A failure costs only time."""
-        if not self._all and not self._closed and self._config.worker:
-            work = asyncio.get_running_loop().create_task(self._prepare())
+        if self._preparation is None and not self._all and not self._closed and self._config.worker:
+            work = self._preparation = asyncio.get_running_loop().create_task(self._prepare())
             self._tasks.add(work)
             work.add_done_callback(self._tasks.discard)
 
-    async def run(self, task: PreviewTask, on_cost: Callable[[float], None]) -> Previewed:
+    async def run(self, task: PreviewTask, client: Client, on_cost: Callable[[float], None]) -> Previewed:
         """
         Compute a preview. Cancelling it ends the computation; a process that is being started is kept for the next.
 
@@ -125,9 +133,9 @@ class PreviewPool:
         Raises:
             RosyError: the process died or could not be started.
         """
-        await self._queue.acquire(lambda _: None)
         job = _Job(task, on_cost)
-        work = asyncio.get_running_loop().create_task(self._compute(job))
+        place = await self._queue.acquire(client, on_preempt=job.shorten)
+        work = asyncio.get_running_loop().create_task(self._compute(job, place))
         self._tasks.add(work)
         work.add_done_callback(self._tasks.discard)
         # The exception is retrieved even when the preview has been cancelled.
@@ -148,9 +156,11 @@ class PreviewPool:
             self._end(process)
         await asyncio.gather(*self._tasks, return_exceptions=True)
 
-    async def _compute(self, job: _Job) -> Previewed | None:
+    async def _compute(self, job: _Job, place: Lease) -> Previewed | None:
         """The answer to a job; None when it was cancelled before a process was ready for it."""
         try:
+            if not self._idle and self._preparation is not None:
+                await asyncio.wait((self._preparation,))
             process = self._idle.pop() if self._idle else await self._start()
             if process.idle is not None:
                 process.idle.cancel()
@@ -160,7 +170,7 @@ class PreviewPool:
             job.process = process
             began = asyncio.get_running_loop().time()
             try:
-                answer = await process.ask(job.task)
+                answer = await process.ask(job.task, job.is_shortened)
             except RosyError:
                 self._end(process)
                 raise
@@ -169,10 +179,9 @@ class PreviewPool:
             self._keep(process)
             return answer
         finally:
-            self._queue.release()
+            place.release()
 
     async def _prepare(self) -> None:
-        await self._queue.acquire(lambda _: None)
         try:
             if not self._all:
                 self._keep(await self._start())
@@ -180,7 +189,7 @@ class PreviewPool:
             # It is told to the page that asks for a preview.
             pass
         finally:
-            self._queue.release()
+            self._preparation = None
 
     def _keep(self, process: _Process) -> None:
         self._idle.append(process)

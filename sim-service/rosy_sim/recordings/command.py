@@ -15,7 +15,7 @@ import msgspec
 from ..atomic_file import AtomicFile
 from ..config import Config
 from ..errors import BadInput
-from ..run.program_file import read_program
+from ..programs.program_file import ProgramFile, read_program
 from ..sentences.sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..worker.blocking_worker import BlockingWorker
@@ -59,9 +59,11 @@ def replay_recording(
         raise BadInput(tr("--world and -o are for --fit."))
     with open_recording(options.file) as recording, BlockingWorker(config) as worker:
         worker.ready()
-        source = recording.details.program if options.program is None else read_program(options.program).source
-        result = replay(worker, source, recording.lines())
-        for problem in result.problems:
+        program = ProgramFile(recording.details.program)
+        if options.program is not None:
+            program = read_program(options.program, options.encoding)
+        result = replay(worker, program.source, recording.lines())
+        for problem in program.in_file(result.problems):
             tell_problem(options.program or options.file, problem)
         sys.stderr.flush()
         if result.is_refused:

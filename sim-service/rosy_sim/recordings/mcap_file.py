@@ -17,7 +17,7 @@ from typing import Any, BinaryIO, Protocol, cast, get_args
 
 import msgspec
 from mcap.exceptions import McapError
-from mcap.reader import SeekingReader
+from mcap.records import Attachment, Metadata, Statistics
 from mcap.writer import Writer
 from zstandard import ZstdError
 
@@ -25,17 +25,23 @@ from ..errors import BadInput
 from ..sentences.sentence import tr
 from ..wire.topics import COMMAND_TOPICS, SENSOR_TOPICS
 from .link_log import LinkLine, LinkMessage, LogEnd, Source, read_log, to_line, to_message
+from .mcap_records import RecordTooLarge, described, messages
 
-__all__ = ["Output", "Recording", "RunDetails", "open_recording", "read_recording", "write_recording"]
+__all__ = ["VERSION", "Output", "Recording", "RunDetails", "open_recording", "read_recording", "write_recording"]
 
 _PROGRAM = "program.hs"
 _DETAILS = "rosy"
+
+VERSION = 1
+"""Of what is in the file besides MCAP, as the metadata record has it; it grows when older readers would take it for
+something else. Recordings before 0.7.0 do not say it, and are version 1."""
 
 _SENT = "/sent"
 """Before the topics of what was sent to the robot: the program's own commands have the topics themselves."""
 
 MAX_RECORDING = 2_000_000_000
-"""Size of a file that is read, bytes. Longer ones than ours come from elsewhere."""
+"""Size of a file that is read, bytes. Longer ones than ours come from elsewhere. ``mcap_records`` limits what is in
+memory."""
 
 _BROKEN = (
     McapError,
@@ -78,20 +84,10 @@ class Recording:
     # Whether the run was recorded to its end, and how many batches of lines are missing before.
     is_complete: bool
     left_out: int
-    _reader: SeekingReader = field(repr=False)
+    # From the first to the last line, s; 0 when the file does not say.
+    seconds: float
+    _stream: BinaryIO = field(repr=False)
     _name: Path = field(repr=False)
-
-    def seconds(self) -> float:
-        """
-        From the first to the last line, s; 0 when the file does not say.
-
-        Raises:
-            BadInput: the file is damaged.
-        """
-        with _readable(self._name):
-            summary = self._reader.get_summary()
-        told = summary.statistics if summary is not None else None
-        return (told.message_end_time - told.message_start_time) / 1e9 if told is not None else 0.0
 
     def lines(self) -> Iterator[LinkLine]:
         """
@@ -101,7 +97,7 @@ class Recording:
             BadInput: the file is damaged.
         """
         with _readable(self._name):
-            for _, channel, message in self._reader.iter_messages():
+            for channel, message in messages(self._stream):
                 source = channel.metadata.get("source")
                 if source in get_args(Source):
                     found = cast(Source, source)
@@ -185,6 +181,7 @@ def write_recording(log: BinaryIO, output: Output, details: RunDetails) -> int:
     program = details.program.encode()
     writer.add_attachment(first, first, _PROGRAM, "text/x-haskell", program)
     told = {
+        "version": str(VERSION),
         "robot": details.robot,
         "name": details.name,
         "ended": details.ended,
@@ -217,26 +214,41 @@ def read_recording(stream: BinaryIO, path: Path) -> Recording:
     A recording in an open file; ``path`` is what messages call it.
 
     Raises:
-        BadInput: it is no recording of Rosy's.
+        BadInput: it is no recording of Rosy's, or one of a newer Rosy.
     """
     with _readable(path):
         if stream.seek(0, 2) > MAX_RECORDING:
             raise BadInput(tr("{path} is too large for a recording of a run.", path=path))
-        stream.seek(0)
-        reader = SeekingReader(stream, record_size_limit=MAX_RECORDING)
-        programs = [found.data for found in reader.iter_attachments() if found.name == _PROGRAM]
-        details = [found.metadata for found in reader.iter_metadata() if found.name == _DETAILS]
-        if not programs or not details:
+        program, told, seconds = None, None, 0.0
+        for found in described(stream):
+            match found:
+                case Attachment(name=name, data=data) if name == _PROGRAM:
+                    program = data
+                case Metadata(name=name, metadata=metadata) if name == _DETAILS:
+                    told = metadata
+                case Statistics(message_start_time=first, message_end_time=last):
+                    seconds = (last - first) / 1e9
+        if program is None or told is None:
             raise BadInput(tr("{path} is no recording of a run: it lacks the program that was recorded.", path=path))
-        told = details[0]
-        run = RunDetails(programs[0].decode(), told.get("robot", ""), told.get("name", ""), told.get("ended", ""))
-        return Recording(run, told.get("complete") == "yes", int(told.get("left_out", "0")), reader, path)
+        version = int(told.get("version", "1"))
+        if version > VERSION:
+            raise BadInput(
+                tr(
+                    "{path} was saved by a newer Rosy (version {version}); update Rosy to open it.",
+                    path=path,
+                    version=version,
+                )
+            )
+        run = RunDetails(program.decode(), told.get("robot", ""), told.get("name", ""), told.get("ended", ""))
+        return Recording(run, told.get("complete") == "yes", int(told.get("left_out", "0")), seconds, stream, path)
 
 
 @contextmanager
 def _readable(path: Path) -> Iterator[None]:
     try:
         yield
+    except RecordTooLarge as error:
+        raise BadInput(tr("{path} is too large for a recording of a run.", path=path)) from error
     except _BROKEN as error:
         raise BadInput(
             tr("{path} is no recording of a run, or is damaged. Choose an .mcap file that Rosy has stored.", path=path)

@@ -22,8 +22,8 @@ from .mcap_file import RunDetails, read_recording
 
 __all__ = ["Heading", "Unreadable"]
 
-_MEMORY = 1_000_000_000
-"""Bytes of address space: ten times what a recording of an hour takes."""
+_MEMORY = 500_000_000
+"""Bytes of address space: twice what it takes with a record of the largest size (``mcap_records``)."""
 
 _COMPUTING = 60
 """s of processor time; ten minutes of a run take one."""
@@ -56,7 +56,7 @@ def main(name: str) -> int:
     output = sys.stdout.buffer
     try:
         recording = read_recording(sys.stdin.buffer, Path(name))
-        heading = Heading(recording.details, recording.is_complete, recording.left_out, recording.seconds())
+        heading = Heading(recording.details, recording.is_complete, recording.left_out, recording.seconds)
         output.write(msgspec.json.encode(heading) + b"\n")
         for line in recording.lines():
             output.write(log_line(line))

@@ -1,13 +1,15 @@
 """
 Command ``./rosy run … --rooms N``: options in, tests of one program after the other, reports out.
 
-Progress is shown on a terminal only. The smallest failing room of each program becomes a file in the current folder.
+Progress is shown on a terminal only. The smallest failing room of each program becomes a file in the folder
+that ``--smallest`` names, or in the current one.
 """
 
 from __future__ import annotations
 
 import argparse
 import os
+import shlex
 import sys
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -19,8 +21,8 @@ import msgspec
 from ..atomic_file import AtomicFile
 from ..config import Config
 from ..errors import BadInput
+from ..programs.program_file import read_program
 from ..run.grading import programs_in
-from ..run.program_file import read_program
 from ..run.steps.velocity_guard import SafetySettings
 from ..sentences.sentence import tr
 from ..sentences.terminal_text import escape_json, neutralize_line
@@ -43,7 +45,7 @@ DEFAULT_FAMILY, DEFAULT_SEED, DEFAULT_PROPERTIES = "obstacles", 1, "reaches-goal
 MAX_SECONDS = 3600.0
 """Longest run in each room, s."""
 
-_ONLY_WITH_ROOMS = ("family", "hold", "json", "processes", "cluster")
+_ONLY_WITH_ROOMS = ("family", "hold", "json", "processes", "cluster", "smallest")
 _NOT_WITH_ROOMS = ("world", "speed", "trace", "input", "robot")
 
 
@@ -69,6 +71,7 @@ def add_options(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--json", action="store_true", default=None)
     parser.add_argument("--processes", type=int, metavar="N")
     parser.add_argument("--cluster", metavar="ADDRESS")
+    parser.add_argument("--smallest", type=Path, metavar="FOLDER")
 
 
 def check_options(options: argparse.Namespace) -> None:
@@ -83,6 +86,8 @@ def check_options(options: argparse.Namespace) -> None:
             if getattr(options, name) is not None:
                 raise BadInput(tr("--{name} is for a test in many rooms; say how many with --rooms.", name=name))
         return
+    if options.csv:
+        raise BadInput(tr("--csv is for the table of a folder; with --rooms there is --json."))
     for name in _NOT_WITH_ROOMS:
         if getattr(options, name) is not None:
             if name == "world":
@@ -113,16 +118,18 @@ def test_in_rooms(
         if is_native(file):
             raise BadInput(tr("{file} is a built program; --rooms tests programs from their text.", file=file))
     output = _Output(write, sys.stderr.isatty())
-    sources = [read_program(file).source for file in files]
+    sources = [read_program(file, options.encoding).source for file in files]
     reports: list[Report] = []
     values: list[dict[str, object]] = []
+    folder: Path = options.smallest or Path()
+    _make_folder(folder)
     local = min(processes, test.rooms * len(files))
     with TrialPool(WorkerSetup.of(config), local) if options.cluster is None else connect(options.cluster) as pool:
         progress = Progress(partial(_show_progress, output, test.rooms * len(files)))
         for file, tested in zip(files, test_programs(test, sources, pool, progress), strict=True):
             output.progress("")
             reports.append(tested.report)
-            room_file = _write_smallest(file, files, tested.report)
+            room_file = _write_smallest(folder, file, files, tested.report)
             values.append(report_values(str(file), tested.report, room_file))
             if not options.json:
                 _print_report(file, test, tested, room_file, output)
@@ -159,13 +166,23 @@ def _show_progress(output: _Output, rooms: int, done: int, passed: int, shrunk: 
     output.progress("; ".join(filter(None, (counted, shrinking))))
 
 
-def _write_smallest(file: Path, files: list[Path], report: Report) -> str | None:
+def _make_folder(folder: Path) -> None:
+    """Before the test, which may take long."""
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise BadInput(
+            tr("The folder {folder} cannot be made: {why}.", folder=folder, why=error.strerror or "")
+        ) from error
+
+
+def _write_smallest(folder: Path, file: Path, files: list[Path], report: Report) -> str | None:
     """The smallest failing room as a file that ``--world`` opens."""
     if report.smallest is None:
         return None
     # Programs in folders are often all called program.rosy.
     stem = file.stem if len(files) == 1 else "-".join((*file.parent.parts[-1:], file.stem))
-    path = Path(f"{stem}-smallest-room.json")
+    path = folder / f"{stem}-smallest-room.json"
     with AtomicFile(path) as written:
         written.write(msgspec.json.format(msgspec.json.encode(report.smallest.shrunk.world), indent=2) + b"\n")
     return str(path)
@@ -200,7 +217,9 @@ def _print_report(file: Path, test: RoomTest, tested: Tested, room_file: str | N
         "Rooms tried for it: {tried}, in {seconds} s.", tried=shrunk.trials, seconds=f"{tested.shrink_seconds:.1f}"
     )
     output.write(neutralize_line(in_terminal(tried)))
-    options = f"--world {room_file} --seed {outcome.seed} --seconds {test.seconds:g}"
+    options = f"--world {shlex.quote(room_file)} --seed {outcome.seed} --seconds {test.seconds:g}"
     if test.safety.on:
         options += f" --safety on --max-speed {test.safety.max_speed:g} --max-turn {test.safety.max_turn:g}"
-    output.write(neutralize_line(in_terminal(tr("See it: {command}", command=f"./rosy run {file} {options}"))))
+    output.write(
+        neutralize_line(in_terminal(tr("See it: {command}", command=f"./rosy run {shlex.quote(str(file))} {options}")))
+    )

@@ -24,17 +24,19 @@ def format_report(name: str, report: Report) -> str:
     """The failed rooms, worst first, and a line that counts."""
     failed = [outcome for outcome in worst_first(report.outcomes) if not outcome.has_passed]
     head = [in_terminal(title) for title in (tr("room"), tr("went"), tr("time"))]
-    rows = [f"{head[0]:>6}  {head[1]:<8}  {head[2]:>8}"] if failed else []
-    rows += [_row(outcome) for outcome in failed]
+    went = [in_terminal(tr("crashed") if outcome.has_crashed else tr("failed")) for outcome in failed]
+    # Words of other languages are longer.
+    width = max((len(word) for word in (head[1], *went)), default=0)
+    rows = [f"{head[0]:>6}  {head[1]:<{width}}  {head[2]:>8}"] if failed else []
+    rows += [_row(outcome, f"{word:<{width}}") for outcome, word in zip(failed, went, strict=True)]
     passed = tr("{passed} of {all} rooms passed.", passed=report.passed, all=len(report.outcomes))
     rows.append(f"{neutralize_line(name)}: {in_terminal(passed)}")
     return "\n".join(rows)
 
 
-def _row(outcome: Outcome) -> str:
-    went = in_terminal(tr("crashed") if outcome.has_crashed else tr("failed"))
+def _row(outcome: Outcome, went: str) -> str:
     what = describe_failure(outcome.problems, outcome.failed)
-    return neutralize_line(f"{outcome.room:>6}  {went:<8}  {outcome.time:>6.2f} s  {what}")
+    return neutralize_line(f"{outcome.room:>6}  {went}  {outcome.time:>6.2f} s  {what}")
 
 
 def describe_failure(problems: Sequence[Problem], failed: Sequence[_Finding]) -> str:

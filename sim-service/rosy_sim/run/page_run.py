@@ -126,7 +126,7 @@ class PageRun(ABC):
         # Asks the worker why the program went silent.
         self._explanation: asyncio.Task[None] | None = None
         view.show_state("compiling")
-        self._session = WorkerSession(request.source, services, self, prepared)
+        self._session = WorkerSession(request.source, services, self, prepared, self._preemption())
 
     # Requests of the page
 
@@ -153,6 +153,10 @@ class PageRun(ABC):
     @abstractmethod
     def forward(self) -> None:
         """Make one step while paused."""
+
+    def _preemption(self) -> Callable[[], None] | None:
+        """What ends this run for a client that has no place; ``None`` for one that keeps its place."""
+        return None
 
     # After the end
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import msgspec
 
+from ..errors import WorkerFailed
 from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 from ..wire.worker import Gone
@@ -14,10 +15,12 @@ __all__ = [
     "died",
     "lost_robot",
     "missing_parts",
+    "place_needed",
     "service_full",
     "stuck",
     "too_much_output",
     "worker_lost",
+    "worker_problem",
 ]
 
 _SIGXCPU, _SIGKILL, _SIGSEGV, _SIGSYS = 24, 9, 11, 31
@@ -91,6 +94,13 @@ def worker_lost(time: float | None = None) -> Problem:
     )
 
 
+def worker_problem(error: BaseException | None = None) -> Problem:
+    """Why a program could not run, from the failure of a request to the worker."""
+    if not isinstance(error, WorkerFailed):
+        return worker_lost()
+    return problem("worker-failed", error.sentence, tr("Tell the person who looks after this computer."))
+
+
 def lost_robot(time: float) -> Problem:
     """The connection to a real robot broke."""
     return problem(
@@ -113,6 +123,15 @@ def missing_parts(world: World, uses: list[str]) -> list[Problem]:
             tr("Give it a distance sensor in the room's settings, or take out the functions that use it."),
         )
     ]
+
+
+def place_needed() -> Problem:
+    """Another client has no place to run."""
+    return problem(
+        "place-needed",
+        tr("This program was stopped, because another person needed a place to run."),
+        tr("Programs that did nothing for a while are stopped first. Press Run to start it again."),
+    )
 
 
 def address_full(limit: int) -> Problem:

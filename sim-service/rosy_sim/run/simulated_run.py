@@ -17,7 +17,7 @@ from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
 from ..world.events import velocity
 from .page_run import PageRun, RunView
-from .problems import broken_link, died, missing_parts, too_much_output
+from .problems import broken_link, died, missing_parts, place_needed, too_much_output
 from .realtime_runner import Ending, RealTimeRunner
 from .step_display import Simulation, StepDisplay
 from .steps.lockstep import Lockstep
@@ -68,6 +68,12 @@ class SimulatedRun(PageRun):
 
     def end_now(self) -> None:
         """End without waiting for anything; the page is told."""
+        self._end_at_once([])
+
+    def _preemption(self) -> Callable[[], None]:
+        return lambda: self._end_at_once([place_needed()])
+
+    def _end_at_once(self, problems: list[Problem]) -> None:
         if self._session.is_compiling:
             self._session.cancel()
         elif self._runner is not None:
@@ -76,7 +82,7 @@ class SimulatedRun(PageRun):
             self._runner = None
             self._view.show_frame(force=True)
             self._simulation.on_over()
-        self._end("stopped", [])
+        self._end("stopped", problems)
 
     def set_speed(self, speed: page.Speed) -> None:
         """Change the speed of the clock."""
@@ -196,6 +202,8 @@ class SimulatedRun(PageRun):
 
     def on_step(self, lockstep: Lockstep) -> None:
         """A step has settled and its time has passed."""
+        if lockstep.commands or lockstep.published or (lockstep.settled is not None and lockstep.settled.fired):
+            self._session.touch()
         self._display.on_step(lockstep)
 
     def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:

@@ -27,6 +27,7 @@ from .routes.catalogue import Catalogue
 from .routes.class_files import ClassFiles
 from .routes.example_paths import ExamplePaths
 from .routes.monitoring import Monitoring
+from .routes.network_addresses import NetworkAddresses
 from .routes.recordings import RecordingUpload
 from .service import Service
 from .static_pages import StaticPages
@@ -47,19 +48,20 @@ def build_app(
     Args:
         config: paths and limits.
         class_store: the open class of class mode.
-        addresses: where pupils reach the service.
+        addresses: where others on the network reach the service.
         names: host names to serve beside IP addresses; ``None`` for every name.
         more: further routes.
     """
     classroom = Classroom(class_store, addresses, time.monotonic) if class_store is not None else None
     service = Service(config, classroom)
     origins = PageOrigins(config.origins)
-    paths = ExamplePaths(config.examples, service.worker, service.run_queue, config.limits)
+    paths = ExamplePaths(config.examples, service.worker, service.budgets.runs, config.limits)
     routes = [
         *_sockets(service, origins),
         *Monitoring(service).routes(),
+        *NetworkAddresses(addresses).routes(),
         *Catalogue(config.examples, paths).routes(),
-        *RecordingUpload(service.sessions, origins).routes(),
+        *RecordingUpload(service.sessions, origins, service.budgets.uploads).routes(),
         *(ClassFiles(classroom).routes() if classroom is not None else ()),
         *more,
         *_pages(config),

@@ -30,7 +30,11 @@ class PageOrigins:
         origin = connection.headers.get("origin")
         if origin is None:
             return True
-        host = urlsplit(origin).netloc
+        try:
+            host = urlsplit(origin).netloc
+        except ValueError:
+            # It is no origin, as `http://[`.
+            return False
         return host == connection.headers.get("host") or host in self._others
 
     def socket(self, path: str, serve: Callable[[WebSocket], Awaitable[None]]) -> WebSocketRoute:

@@ -15,6 +15,7 @@ import shutil
 import signal
 import socket
 import sys
+import time
 import webbrowser
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
@@ -24,8 +25,10 @@ import uvicorn
 import uvloop
 from starlette.applications import Starlette
 from starlette.routing import BaseRoute
+from starlette.types import ASGIApp, Receive, Scope, Send
 
-from ..classroom.store.class_places import class_place
+from ..classroom.command import deleted_sentence
+from ..classroom.store.class_places import class_place, remove_expired
 from ..classroom.store.class_store import Admission
 from ..config import Config
 from ..errors import BadInput, WorkerMissing
@@ -38,6 +41,7 @@ from .browser_safety import own_names
 from .lan_addresses import is_unspecified, lan_addresses
 from .pacing.paced_frames import paced_frames
 from .pacing.request_deadline import RequestDeadline
+from .public_address import public_names
 from .qr_code import qr_code_lines
 
 __all__ = ["raise_priority", "serve"]
@@ -69,7 +73,9 @@ def serve(
     if not config.worker or shutil.which(config.worker[0]) is None:
         raise WorkerMissing
     fault = missing_sandbox(config)
-    if fault is not None and not (unprotected or _is_loopback(host)):
+    # A proxy on this machine brings others to it.
+    is_private = _is_loopback(host) and config.public is None
+    if fault is not None and not (unprotected or is_private):
         raise BadInput(
             tr(
                 "Programs cannot be locked in on this machine ({fault}), so Rosy only serves this machine "
@@ -83,7 +89,8 @@ def serve(
     bound = listener.getsockname()[1]
     is_any = is_unspecified(host)
     shown = "127.0.0.1" if is_any else f"[{host}]" if ":" in host else host
-    address = f"http://{shown}:{bound}/"
+    address = f"http://{shown}:{bound}/" if config.public is None else f"{config.public}/"
+    is_any = is_any and config.public is None
 
     def addresses() -> list[str]:
         if config.class_address is not None:
@@ -94,11 +101,19 @@ def serve(
     with contextlib.ExitStack() as stack:
         stack.callback(listener.close)
         classes = class_place(config.classes, config.class_database)
+        if config.class_name:
+            # A failure keeps no class from its lesson; ./rosy class reports it.
+            with contextlib.suppress(BadInput):
+                remove_expired(classes, time.time())
+                for deleted in classes.deleted():
+                    if deleted.announced is not None:
+                        _say(deleted_sentence(deleted))
         store = stack.enter_context(classes.open(config.class_name)) if config.class_name else None
-        app = build_app(config, store, addresses, own_names(host), more)
-        code = app.state.service.robots.code if config.robots else None
+        app = build_app(config, store, addresses, own_names(host) | public_names(config), more)
+        code = app.state.service.robots.code if config.robots or config.nearby else None
         admission = store.admission() if store else None
-        greet = _Greeting(address, addresses() if is_any else None, code, admission).print
+        is_shared = is_any or (config.public is not None and admission is not None)
+        greet = _Greeting(address, addresses() if is_shared else None, code, admission).print
         if announce is not None:
             greet = partial(_announced, announce, bound, admission, address)
         server = _Server(_settings(app, config), greet, open_browser)
@@ -119,9 +134,12 @@ def _announced(
 
 def _settings(app: Starlette, config: Config) -> uvicorn.Config:
     return uvicorn.Config(
-        app,
+        _without_cancellations(app),
         log_level="warning",
         access_log=False,
+        # The address of a client is that of its connection, unless the person who starts Rosy names a proxy.
+        proxy_headers=bool(config.proxies),
+        forwarded_allow_ips=list(config.proxies),
         http=RequestDeadline,
         ws=paced_frames(),
         ws_max_size=config.limits.page_message,
@@ -130,6 +148,22 @@ def _settings(app: Starlette, config: Config) -> uvicorn.Config:
         lifespan="on",
         loop="uvloop",
     )
+
+
+def _without_cancellations(app: ASGIApp) -> ASGIApp:
+    """
+    The application, whose requests end quietly when they are cancelled. uvicorn cancels those that are still open some
+    seconds after the service was ended, and would log a traceback for each.
+    """
+
+    async def serve(scope: Scope, receive: Receive, send: Send) -> None:
+        try:
+            await app(scope, receive, send)
+        except asyncio.CancelledError:
+            if scope["type"] == "lifespan":
+                raise
+
+    return serve
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,29 +6,28 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import os
 import sys
 import time
 from collections.abc import AsyncIterator, Callable
 
 from starlette.applications import Starlette
 
+from ..accounting.resources import Budgets
 from ..classroom.classroom import Classroom
 from ..classroom.hand_in_checks import HandInChecks
 from ..config import Config
+from ..ownership.robot_discovery import discover_robots
 from ..ownership.robot_registry import RobotRegistry
 from ..ownership.run_recorder import RunRecorder
 from ..previews.preview_pool import PreviewPool
 from ..run.frame_rate import FrameRate
 from ..run.lateness import Lateness
-from ..run.run_queue import RunQueue
 from ..run.worker_session import RunServices
 from ..sentences.sentence import Sentence
 from ..sentences.terminal_text import neutralize_line
 from ..sentences.wording import in_terminal
 from ..wire import page
 from ..worker.prepared_runs import PreparedRuns
-from ..worker.question_scheduler import QuestionScheduler
 from ..worker.supervisor import WorkerStatus, WorkerSupervisor
 from .pacing.loop_scheduler import LoopScheduler, PageTurns
 from .sessions.page_session import PageSession
@@ -52,27 +51,30 @@ class Service:
         self.end: Callable[[Sentence], None] = lambda _: None
         self.loop_scheduler = LoopScheduler()
         self.lateness = Lateness()
-        self.run_queue = RunQueue(config.limits.runs)
+        self.budgets = Budgets(config.limits)
         self.worker = WorkerSupervisor(config, self._on_worker_status)
         self.recorder = RunRecorder(config.recordings, self._tell) if config.records else None
         self.robots = RobotRegistry(
-            config.robots, config.robot_executable, time.monotonic, self._on_robots_change, self.recorder
+            config.robots,
+            config.robot_executable,
+            time.monotonic,
+            self._on_robots_change,
+            self.recorder,
+            discovers=bool(config.nearby),
         )
-        self.previews = PreviewPool(config)
+        self.previews = PreviewPool(config, self.budgets.previews)
         self.prepared_runs = PreparedRuns(self.worker, config.limits.prepared)
         self._run_services = RunServices(
             self.worker,
-            self.run_queue,
+            self.budgets,
             config.limits,
             self.lateness,
             FrameRate(config.limits.frame_rate, self.lateness),
-            QuestionScheduler(time.monotonic),
         )
-        self.pages = PageSockets(config.limits, self.loop_scheduler, self._open_session)
+        self.pages = PageSockets(self.budgets.pages, self.loop_scheduler, self._open_session)
         self.sessions = self.pages.sessions
         self.ros_clients = RosSockets(self.sessions, self.loop_scheduler)
-        # Half of the cores, but at least one, may be busy with tests in many rooms, rehearsals and checks of hand-ins.
-        background = RunQueue(max(1, len(os.sched_getaffinity(0)) // 2))
+        background = self.budgets.background
         self.room_tests = RoomTests(config, self.sessions, background)
         self.lesson_rehearsals = LessonRehearsals(config, self.sessions, background)
         self._checks: HandInChecks | None = None
@@ -80,8 +82,8 @@ class Service:
         self.projectors: ProjectorSockets | None = None
         if classroom is not None:
             self._checks = HandInChecks(classroom.tasks, config, background)
-            self.class_sockets = ClassSockets(classroom, self._checks, self.sessions, self.loop_scheduler)
-            self.projectors = ProjectorSockets(classroom, self.sessions, self.loop_scheduler)
+            self.class_sockets = ClassSockets(classroom, self._checks, self.sessions, self.loop_scheduler, self.budgets)
+            self.projectors = ProjectorSockets(classroom, self.sessions, self.loop_scheduler, self.budgets.locked)
 
     @staticmethod
     def _tell(sentence: Sentence) -> None:
@@ -102,7 +104,7 @@ class Service:
 
     def _on_worker_status(self, status: WorkerStatus) -> None:
         for session in self.sessions.values():
-            session.outbox.put(page.WorkerState(status))
+            session.outbox.put(page.worker_state(status, self.worker.fault))
 
     def _on_robots_change(self) -> None:
         for session in self.sessions.values():
@@ -112,8 +114,11 @@ class Service:
     async def lifespan(self, _app: Starlette) -> AsyncIterator[None]:
         """Keep a worker while the application runs."""
         supervision = [asyncio.create_task(self.worker.run())]
+        supervision.append(asyncio.create_task(discover_robots(self.config.nearby, self.robots.set_nearby)))
         if self.classroom is not None:
             supervision.append(asyncio.create_task(self._keep_class(self.classroom)))
+        if self.class_sockets is not None:
+            supervision.append(asyncio.create_task(self.class_sockets.watch_suspension()))
         try:
             yield
         finally:
@@ -124,12 +129,13 @@ class Service:
                 await self.recorder.close()
             if self._checks is not None:
                 await self._checks.cancel()
-            if self.classroom is not None:
-                await self.classroom.close()
             for task in supervision:
                 task.cancel()
                 with contextlib.suppress(asyncio.CancelledError):
                     await task
+            # Last: a class that is being kept needs its store.
+            if self.classroom is not None:
+                await self.classroom.close()
 
     async def _keep_class(self, classroom: Classroom) -> None:
         self.end(await classroom.keep_store())

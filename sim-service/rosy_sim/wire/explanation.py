@@ -22,6 +22,7 @@ SentenceId = Literal[
     "nothing-ran",
     "first-value",
     "old-value",
+    "from-start",
     "not-written",
     "remembered",
     "had-come",

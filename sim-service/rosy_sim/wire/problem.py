@@ -64,8 +64,13 @@ class Fix(msgspec.Struct, frozen=True, omit_defaults=True):
 
 
 class Problem(msgspec.Struct, frozen=True, omit_defaults=True, kw_only=True):
-    """Absent fields are ``None``; ``hint`` and ``ghc`` are always sent."""
+    """
+    What a learner must know. ``end`` is exclusive; ``hint`` and ``ghc``, the compiler's own text, may be empty.
 
+    ``time`` (s since the start of the program) and ``inputs`` (as Haskell shows them) belong to problems at run time.
+    """
+
+    # A note is advice about a program that may be meant so.
     severity: Literal["error", "warning", "note"]
     kind: str
     message: str
@@ -75,8 +80,9 @@ class Problem(msgspec.Struct, frozen=True, omit_defaults=True, kw_only=True):
     end: Place | None = None
     function: str | None = None
     time: float | None = None
-    inputs: list[str] | None = None
-    fixes: list[Fix] | None = None
+    inputs: list[str] = []
+    # Ways to mend it, the likeliest first.
+    fixes: list[Fix] = []
     sentences: Sentences | None = None
 
 
@@ -125,9 +131,7 @@ def worded(found: Problem, language: Wording) -> Problem:
             if fix.sentence is not None
             else fix
             for fix in found.fixes
-        ]
-        if found.fixes is not None
-        else None,
+        ],
     )
 
 

@@ -26,6 +26,7 @@ __all__ = [
     "SoundLine",
     "StoppedLine",
     "decode_line",
+    "encode_alive",
     "encode_record",
     "encode_request",
     "encode_switch",
@@ -136,7 +137,12 @@ def decode_line(line: bytes) -> Line:
     return read
 
 
-def encode_request(op: Literal["run", "stop", "estop", "free", "alive"]) -> bytes:
+def encode_alive(time: float) -> bytes:
+    """The line that says that the page was visible at ``time``, s of ``CLOCK_BOOTTIME``."""
+    return msgspec.json.encode({"op": "alive", "time": time}) + b"\n"
+
+
+def encode_request(op: Literal["run", "stop", "estop", "free"]) -> bytes:
     """A request as a line."""
     return msgspec.json.encode({"op": op}) + b"\n"
 

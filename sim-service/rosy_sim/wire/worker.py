@@ -6,6 +6,8 @@ Graph, declarations, types and completions pass through unread: they are for the
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import msgspec
 
 from .firing import Branch
@@ -17,12 +19,15 @@ __all__ = [
     "Answer",
     "Checked",
     "Completed",
+    "Declaration",
     "Failed",
     "Forked",
     "Gone",
     "Pong",
     "Refused",
     "Started",
+    "Suggestion",
+    "TypesAtPlaces",
     "WorkerReady",
     "WorkerStream",
     "check_request",
@@ -45,21 +50,46 @@ class WorkerReady(msgspec.Struct, tag="ready", tag_field="op"):
     ghc: str = ""
 
 
+class Declaration(msgspec.Struct):
+    """A name that the program defines, and its type as Haskell writes it."""
+
+    name: str
+    type: str
+
+
+class TypesAtPlaces(msgspec.Struct):
+    """
+    The piece of text from line and column up to line and column has the type ``names[n]``; an outer piece comes before
+    those inside it.
+    """
+
+    names: list[str]
+    at: list[list[int]]
+
+
+class Suggestion(msgspec.Struct):
+    """A name that can stand at a place, its type, and how many values must follow it to give what is wanted there."""
+
+    name: str
+    type: str
+    takes: int
+
+
 class Checked(msgspec.Struct, tag="checked", tag_field="op"):
     """A check's answer."""
 
     id: int
     problems: list[Problem]
-    declarations: msgspec.Raw = msgspec.Raw(b"[]")
+    declarations: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": list[Declaration]})] = msgspec.Raw(b"[]")
     graph: msgspec.Raw = msgspec.Raw(b'{"functions":[]}')
-    types: msgspec.Raw = msgspec.Raw(b'{"names":[],"at":[]}')
+    types: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": TypesAtPlaces})] = msgspec.Raw(b'{"names":[],"at":[]}')
 
 
 class Completed(msgspec.Struct, tag="completed", tag_field="op", omit_defaults=True):
     """What can stand at a place."""
 
     id: int
-    names: msgspec.Raw
+    names: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": list[Suggestion]})]
     expected: str | None = None
 
 

@@ -18,7 +18,7 @@ from types import TracebackType
 import msgspec
 
 from ..config import Config
-from ..errors import WorkerLost, WorkerRefused
+from ..errors import WorkerFailed, WorkerLost, WorkerRefused
 from ..sentences.sentence import tr
 from ..wire.line_splitter import LineTooLong
 from ..wire.worker import (
@@ -34,7 +34,7 @@ from ..wire.worker import (
     kill_request,
     run_request,
 )
-from .launcher import launch
+from .launcher import ENDED, NOT_IN_TIME, launch
 from .mailbox import Mailbox
 
 __all__ = ["BlockingWorker"]
@@ -67,8 +67,18 @@ class BlockingWorker:
         self._socket.close()
 
     def ready(self) -> WorkerReady:
-        """Wait until the session is warm."""
-        answer = self._wait(self.limits.worker_ready, WorkerReady)
+        """
+        Wait until the session is warm.
+
+        Raises:
+            WorkerFailed: it has ended, or is not warm in time.
+        """
+        deadline = time.monotonic() + self.limits.worker_ready
+        try:
+            answer = self._wait(self.limits.worker_ready, WorkerReady)
+        except WorkerLost as error:
+            ended = time.monotonic() < deadline
+            raise WorkerFailed(self._process.errors.cause(ENDED if ended else NOT_IN_TIME)) from error
         assert isinstance(answer, WorkerReady)
         return answer
 

@@ -15,11 +15,11 @@ from collections.abc import Callable
 
 import msgspec
 
-from ..sentences.sentence import tr
+from ..sentences.sentence import Sentence, tr
 from ..sentences.wording import in_terminal
 from ..wire.line_splitter import LineTooLong
 from ..wire.worker import Answer, WorkerReady, WorkerStream, ping_request
-from .launcher import ForkedWorker, WorkerProcess
+from .launcher import ENDED, NOT_IN_TIME, ForkedWorker, WorkerProcess
 from .liveness import PROBE_INTERVAL, LivenessMonitor
 
 __all__ = ["Connection"]
@@ -69,6 +69,12 @@ class Connection:
         finally:
             lost.cancel()
             ready.cancel()
+
+    def start_fault(self) -> Sentence | None:
+        """Why a worker of its own process is not warm; ``None`` for a forked one, or when it is not known."""
+        if not isinstance(self._process, WorkerProcess):
+            return None
+        return self._process.errors.cause(ENDED if self.lost.is_set() else NOT_IN_TIME)
 
     async def wait_ready(self) -> bool:
         """Wait until it is warm or lost; returns whether it is warm."""

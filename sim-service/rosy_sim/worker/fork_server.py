@@ -8,23 +8,20 @@ requested, so the fork server also replaces a worker that has died. What it does
 from __future__ import annotations
 
 import asyncio
-import logging
 import os
 import socket
 from pathlib import Path
 
 from ..config import Config
 from ..errors import WorkerMissing
-from ..sentences.sentence import tr
-from ..sentences.wording import in_terminal
+from ..sentences.sentence import Sentence, sentence_of
+from ..text_lines import text_lines
 from ..wire.worker import Answer, Failed, Forked, fork_request
 from .connection import Connection
 from .launcher import ForkedWorker, launch
 from .liveness import sandboxed_pid
 
 __all__ = ["ForkServer"]
-
-_log = logging.getLogger(__name__)
 
 
 class ForkServer:
@@ -33,6 +30,8 @@ class ForkServer:
     def __init__(self, config: Config) -> None:
         self._config = config
         self._server: Connection | None = None
+        # Why the latest process could not start; None when it has become warm.
+        self.fault: Sentence | None = None
         # The process inside of its sandbox, once that has been looked up.
         self._inner_pid: int | None = None
         self._ids = 0
@@ -69,6 +68,7 @@ class ForkServer:
             server.listener = None
             if worker is None:
                 ours.close()
+        self.fault = None if server.ready.is_set() else server.start_fault()
         if worker is None:
             await self.close()
         return worker
@@ -88,7 +88,7 @@ class ForkServer:
         try:
             return Connection(launch(self._config), self._config.limits.worker_ready)
         except (WorkerMissing, OSError) as error:
-            _log.warning("%s", in_terminal(tr("the worker cannot be started: {why}", why=error)))
+            self.fault = sentence_of(error)
             return None
 
     def _request(self, server: Connection, theirs: socket.socket) -> asyncio.Future[int | None]:
@@ -141,7 +141,7 @@ def _innermost_pid(pid: int) -> int | None:
         status = Path(f"/proc/{pid}/status").read_text()
     except OSError:
         return None
-    for line in status.splitlines():
+    for line in text_lines(status):
         if line.startswith("NSpid:"):
             return int(line.split()[-1])
     return None

@@ -10,22 +10,31 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import functools
 import os
 import shutil
 import signal
 import socket
-import subprocess
 from dataclasses import dataclass
 from pathlib import Path
 
 from ..config import Config
 from ..errors import WorkerMissing
 from ..memory_ceiling import memory_ceiling
-from ..sentences.sentence import Sentence, tr, verbatim
+from ..sentences.sentence import Sentence, tr
+from .error_output import ErrorOutput
 from .memory_group import MemoryGroup, create_memory_group
+from .sandbox_probe import sandbox_fault
 
-__all__ = ["ForkedWorker", "WorkerProcess", "launch", "missing_sandbox", "sandbox_fault", "sandbox_warning"]
+__all__ = [
+    "ENDED",
+    "NOT_IN_TIME",
+    "ForkedWorker",
+    "WorkerProcess",
+    "launch",
+    "missing_sandbox",
+    "sandbox_fault",
+    "sandbox_warning",
+]
 
 _DESCRIPTOR = 3
 """Where the worker finds its socket. protocol/README.md, section 3."""
@@ -36,6 +45,8 @@ _SYSTEM = ("/usr", "/var/lib/ghc", "/etc/alternatives", "/etc/ld.so.cache")
 _LINKS = ("/bin", "/sbin", "/lib", "/lib64")
 """Links into /usr on a merged system, folders elsewhere."""
 
+ENDED, NOT_IN_TIME = tr("it ended before it was ready"), tr("it was not ready in time")
+"""Causes of a failed start of which the worker itself says nothing."""
 
 _SESSION_MEMORY = 512 * 1024 * 1024
 """What a worker takes itself, several times over, bytes; its control group may take so much beyond the ceiling."""
@@ -60,6 +71,8 @@ class WorkerProcess:
     socket: socket.socket
     # Where the kernel keeps the limit of its memory.
     group: MemoryGroup | None
+    # What it and its sandbox write to standard error.
+    errors: ErrorOutput
 
     def kill(self) -> None:
         """End the worker and everything in its sandbox, at once. Reaping is the owner's."""
@@ -88,6 +101,7 @@ class WorkerProcess:
 
     def leave_nothing(self) -> None:
         """To be called when it has been reaped."""
+        self.errors.close()
         if self.group is not None:
             self.group.remove()
 
@@ -139,6 +153,7 @@ def launch(config: Config) -> WorkerProcess:
     if group is not None:
         command = [*_JOIN, str(group.members), *command]
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    errors = ErrorOutput()
     try:
         pid = os.posix_spawn(
             shutil.which(command[0]) or command[0],
@@ -146,18 +161,20 @@ def launch(config: Config) -> WorkerProcess:
             _environment(),
             file_actions=[
                 (os.POSIX_SPAWN_OPEN, 0, "/dev/null", os.O_RDONLY, 0),
+                (os.POSIX_SPAWN_DUP2, errors.descriptor, 2),
                 (os.POSIX_SPAWN_DUP2, theirs.fileno(), _DESCRIPTOR),
             ],
             setsid=True,
         )
     except OSError:
         ours.close()
+        errors.close()
         if group is not None:
             group.remove()
         raise
     finally:
         theirs.close()
-    return WorkerProcess(pid, ours, group)
+    return WorkerProcess(pid, ours, group, errors)
 
 
 def _environment() -> dict[str, str]:
@@ -198,33 +215,3 @@ def missing_sandbox(config: Config) -> Sentence | None:
 def uses_sandbox(config: Config) -> bool:
     """Whether workers of this configuration are wrapped."""
     return missing_sandbox(config) is None
-
-
-@functools.cache
-def sandbox_fault() -> Sentence | None:
-    """Why this machine cannot build the sandbox, or ``None`` when it can."""
-    if shutil.which("bwrap") is None:
-        return tr("bubblewrap is not installed")
-    probe = [
-        "bwrap",
-        "--unshare-all",
-        "--cap-drop",
-        "ALL",
-        "--ro-bind",
-        "/",
-        "/",
-        "--proc",
-        "/proc",
-        "--dev",
-        "/dev",
-        "/bin/true",
-    ]
-    try:
-        # A busy machine takes seconds for it, and programs would run without their sandbox.
-        done = subprocess.run(probe, capture_output=True, timeout=60, check=False)
-    except (OSError, subprocess.TimeoutExpired) as error:
-        return verbatim(str(error))
-    if done.returncode == 0:
-        return None
-    said = done.stderr.decode(errors="replace").strip().splitlines()
-    return verbatim(said[-1]) if said else tr("the kernel does not allow new namespaces")

@@ -15,6 +15,8 @@ from pathlib import Path
 
 import psutil
 
+from ..text_lines import text_lines
+
 __all__ = ["MemoryGroup", "create_memory_group"]
 
 _PREFIX = "rosy-programs-"
@@ -43,7 +45,7 @@ def create_memory_group(
 ) -> MemoryGroup | None:
     """A new group below a limit in bytes, or ``None`` where this process may not make one."""
     try:
-        memberships = [line.split(":", 2) for line in own.read_text().splitlines()]
+        memberships = [line.split(":", 2) for line in text_lines(own.read_text())]
     except OSError:
         return None
     for _, controllers, name in memberships:

@@ -8,6 +8,7 @@ Answers are matched to requests by ``id``. When the process dies or is wedged, a
 from __future__ import annotations
 
 import asyncio
+import logging
 import os
 import socket
 from collections.abc import Callable
@@ -15,7 +16,9 @@ from dataclasses import dataclass
 from typing import Any, Literal, TypeVar
 
 from ..config import Config
-from ..errors import WorkerLost, WorkerRefused
+from ..errors import WorkerFailed, WorkerLost, WorkerRefused
+from ..sentences.sentence import Sentence, tr
+from ..sentences.wording import in_terminal
 from ..wire.worker import (
     Answer,
     Checked,
@@ -38,10 +41,19 @@ __all__ = ["RunningProgram", "WorkerStatus", "WorkerSupervisor"]
 
 _T = TypeVar("_T")
 
-WorkerStatus = Literal["starting", "ready", "restarting"]
+_log = logging.getLogger(__name__)
+
+WorkerStatus = Literal["starting", "ready", "restarting", "failed"]
+"""``failed``: several starts have failed one after the other; another is tried now and then."""
 
 _FIRST_PAUSE, _LAST_PAUSE = 0.02, 1.0
 """Between the end of a worker and the next one, s; doubles while workers die before they are ready."""
+
+_FAILED_STARTS = 3
+"""Starts in a row after which the cause is reported, and requests are refused until a start succeeds."""
+
+_REST = 9
+"""A worker that cannot start is tried again after this many times as long as the latest start took."""
 
 
 @dataclass(slots=True)
@@ -63,6 +75,8 @@ class WorkerSupervisor:
         self._notify = notify
         # What pages are told; changed by run() only.
         self.state: WorkerStatus = "starting"
+        # Why no worker can be started, while the state is "failed".
+        self.fault: Sentence | None = None
         # The process id of the current worker, for tests and tables.
         self.pid: int | None = None
         # Warm; makes the next worker when this one dies.
@@ -72,6 +86,8 @@ class WorkerSupervisor:
         self._questions: dict[int, asyncio.Future[Checked | Completed]] = {}
         self._runs: dict[int, RunningProgram] = {}
         self._ready = asyncio.Event()
+        # A worker is warm, or none can be started.
+        self._decided = asyncio.Event()
 
     # Keeping one alive
 
@@ -83,15 +99,20 @@ class WorkerSupervisor:
             await self._fork_server.close()
 
     async def _keep(self) -> None:
-        pause = _FIRST_PAUSE
+        pause, failed_starts = _FIRST_PAUSE, 0
+        clock = asyncio.get_running_loop().time
         while True:
+            began = clock()
             connection = await self._fork_server.fork()
             if connection is None:
                 # The executable may be in the middle of a build, or the machine out of processes.
-                self._set_state("restarting")
+                failed_starts += 1
+                if failed_starts >= _FAILED_STARTS and self._fork_server.fault is not None:
+                    self._report(self._fork_server.fault)
                 pause = min(_LAST_PAUSE, pause * 2)
-                await asyncio.sleep(pause)
+                await asyncio.sleep(max(pause, _REST * (clock() - began)) if self.state == "failed" else pause)
                 continue
+            failed_starts = 0
             try:
                 await self._serve(connection)
             finally:
@@ -119,8 +140,18 @@ class WorkerSupervisor:
         """The process id of the fork server, for tests and tables."""
         return self._fork_server.pid
 
+    def _report(self, fault: Sentence) -> None:
+        """Report once that no worker can be started, and why."""
+        self.fault = fault
+        self._decided.set()
+        if self.state != "failed":
+            _log.warning("%s", in_terminal(tr("the worker cannot be started: {why}", why=fault)))
+        self._set_state("failed")
+
     def _become_ready(self) -> None:
+        self.fault = None
         self._ready.set()
+        self._decided.set()
         self._set_state("ready")
 
     def _set_state(self, state: WorkerStatus) -> None:
@@ -134,6 +165,7 @@ class WorkerSupervisor:
             self._connection.listener = None
         self._connection = self.pid = None
         self._ready.clear()
+        self._decided.clear()
         questions, self._questions = self._questions, {}
         runs, self._runs = self._runs, {}
         for question in questions.values():
@@ -145,8 +177,15 @@ class WorkerSupervisor:
     # Asking
 
     async def wait_ready(self) -> None:
-        """Wait until a worker is warm."""
-        await self._ready.wait()
+        """
+        Wait until a worker is warm.
+
+        Raises:
+            WorkerFailed: none can be started.
+        """
+        await self._decided.wait()
+        if self.fault is not None:
+            raise WorkerFailed(self.fault)
 
     async def check(self, source: str) -> Checked:
         """
@@ -154,6 +193,7 @@ class WorkerSupervisor:
 
         Raises:
             WorkerLost: the worker died meanwhile.
+            WorkerFailed: none can be started.
         """
         answer = await self._ask(lambda ident: check_request(ident, source))
         assert isinstance(answer, Checked)
@@ -165,13 +205,14 @@ class WorkerSupervisor:
 
         Raises:
             WorkerLost: the worker died meanwhile.
+            WorkerFailed: none can be started.
         """
         answer = await self._ask(lambda ident: complete_request(ident, source, line, column))
         assert isinstance(answer, Completed)
         return answer
 
     async def _ask(self, request: Callable[[int], bytes]) -> Checked | Completed:
-        await self._ready.wait()
+        await self.wait_ready()
         ident = self._next()
         answer: asyncio.Future[Checked | Completed] = asyncio.get_running_loop().create_future()
         self._questions[ident] = answer
@@ -185,10 +226,15 @@ class WorkerSupervisor:
             raise
 
     async def start(self, source: str, link: socket.socket) -> RunningProgram:
-        """Ask for a run; ``link`` is handed over and closed here."""
+        """
+        Ask for a run; ``link`` is handed over and closed here.
+
+        Raises:
+            WorkerFailed: no worker can be started.
+        """
         try:
-            await self._ready.wait()
-        except asyncio.CancelledError:
+            await self.wait_ready()
+        except (asyncio.CancelledError, WorkerFailed):
             link.close()
             raise
         program = self._new_program()

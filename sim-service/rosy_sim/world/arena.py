@@ -3,7 +3,7 @@ The description of a room, and its reader: plain values in (as JSON gives them),
 an ``ArenaError`` that says where the description is wrong and why.
 
 Messages are for learners who draw rooms by hand. The format is ``protocol/world.schema.json``; what a
-schema cannot say (rows of one length, a start on the floor) is checked here and in ``room.py``.
+schema cannot say (rows of one length, a start on the floor) is checked here and in ``world.py``.
 """
 
 from __future__ import annotations
@@ -63,7 +63,10 @@ class Wall:
 
 @dataclass(frozen=True, slots=True)
 class Box:
-    """A block given by its centre; ``mass`` in kg matters only when it is movable."""
+    """
+    A block given by its centre; ``mass`` in kg matters only when it is movable. ``unknown`` marks an area that no scan
+    has seen, which is shown hatched and blocks like a block that stands fast.
+    """
 
     x: float
     y: float
@@ -72,6 +75,7 @@ class Box:
     theta: float = 0.0
     movable: bool = False
     mass: float = DEFAULT_BOX_MASS
+    unknown: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -267,14 +271,18 @@ def _mass(fields: dict[str, object], path: str) -> float:
 
 def _box(value: object, path: str) -> Box:
     fields = object_fields(value, path)
+    movable, unknown = flag(fields, "movable", path), flag(fields, "unknown", path)
+    if movable and unknown:
+        raise ArenaError(f"{path}.movable", tr("an unknown area cannot be pushed."))
     return Box(
         required(fields, "x", path),
         required(fields, "y", path),
         positive(fields, "w", path),
         positive(fields, "h", path),
         number(fields.get("theta", 0.0), f"{path}.theta"),
-        flag(fields, "movable", path),
+        movable,
         _mass(fields, path),
+        unknown,
     )
 
 

@@ -8,6 +8,7 @@ from ..sentences.sentence import Sentence, SentenceError, tr
 
 __all__ = [
     "MAX_SIDE",
+    "MIN_LENGTH",
     "ArenaError",
     "Pose",
     "flag",
@@ -21,6 +22,9 @@ __all__ = [
 
 MAX_SIDE = 100.0
 """Largest length in a world, m. Keeps a hostile world from costing memory."""
+
+MIN_LENGTH = 0.01
+"""Smallest length of a thing in a world, m."""
 
 
 class Pose(NamedTuple):
@@ -73,7 +77,7 @@ def required(fields: dict[str, object], key: str, path: str) -> float:
 def positive(fields: dict[str, object], key: str, path: str, most: float = MAX_SIDE) -> float:
     """A length (or time) that must be there."""
     value = required(fields, key, path)
-    if not 0.01 <= value <= most:
+    if not MIN_LENGTH <= value <= most:
         raise ArenaError(f"{path}.{key}", tr("it must be between 0.01 and {most}.", most=most))
     return value
 

@@ -6,6 +6,8 @@ Time comes in as ``dt``; nothing here knows where the robot is.
 
 from __future__ import annotations
 
+import math
+
 from .robot import MotorLimits
 
 __all__ = ["MotorController", "approach", "clamp"]
@@ -45,8 +47,10 @@ class MotorController:
 
     def command(self, linear: float, angular: float) -> None:
         """Obey a velocity command from now on."""
-        self.linear = clamp(self._limits.speed, linear)
-        self.angular = clamp(self._limits.angular_speed, angular)
+        limits = self._limits
+        self.linear, self.angular = limits.within_wheels(
+            clamp(limits.speed, linear), clamp(limits.angular_speed, angular)
+        )
         self._age = 0.0
 
     def next(self, dt: float, v: float, w: float) -> tuple[float, float]:
@@ -59,7 +63,13 @@ class MotorController:
             self._age += dt
             return self.linear, self.angular
         self._age += dt
-        return (
-            approach(dt, limits.acceleration, self.linear, v),
-            approach(dt, limits.angular_acceleration, self.angular, w),
-        )
+        linear = approach(dt, limits.acceleration, self.linear, v)
+        angular = approach(dt, limits.angular_acceleration, self.angular, w)
+        # On the way from one velocity to another a wheel may be asked for too much: the speed that grows waits.
+        turning = abs(angular) * limits.wheelbase / 2
+        if abs(linear) + turning > limits.wheel_speed:
+            if abs(linear) > abs(v):
+                linear = math.copysign(limits.wheel_speed - turning, linear)
+            else:
+                angular = math.copysign((limits.wheel_speed - abs(linear)) * 2 / limits.wheelbase, angular)
+        return linear, angular

@@ -39,16 +39,36 @@ class Body:
     contact_gap: float
 
 
+_ROUNDING = 1e-9
+"""A velocity at the limit of a wheel stays as it is, m/s."""
+
+
 @dataclass(frozen=True, slots=True)
 class MotorLimits:
     """In m/s, rad/s, m/s² and rad/s²."""
 
     speed: float
     angular_speed: float
+    # Highest speed of a wheel.
+    wheel_speed: float
+    # Distance between the wheels, m.
+    wheelbase: float
     acceleration: float
     angular_acceleration: float
     # A velocity command older than this stops the robot, s.
     command_timeout: float
+
+    def within_wheels(self, linear: float, angular: float) -> tuple[float, float]:
+        """
+        The same curve, slowed down where the outer wheel could not turn as fast.
+
+        ``Rosy.Robots.Guard`` does the same for real robots.
+        """
+        outer = abs(linear) + abs(angular) * self.wheelbase / 2
+        if outer <= self.wheel_speed + _ROUNDING:
+            return linear, angular
+        slower = self.wheel_speed / outer
+        return linear * slower, angular * slower
 
 
 @dataclass(frozen=True, slots=True)

@@ -298,7 +298,7 @@ class World:
         Press a button, lift or move the robot, or push a movable thing.
 
         Raises:
-            HandRefused: there is no room for the robot there, or no such thing.
+            ActionRefused: there is no room for the robot there, or no such thing.
         """
         self._device_values = None
         match action:

@@ -11,15 +11,15 @@ from pathlib import Path
 
 import pytest
 
-from rosy_sim.classroom.store.class_store import Admission, ClassStore
+from rosy_sim.classroom.store.class_store import Admission, ClassStore, Pupil
 from rosy_sim.classroom.store.database import SqliteDatabase
 
 from ..cluster.ray_nodes import CLUSTER_PYTHON
 from ..conftest import PATIENCE
-from ..extent import SEED, WHOLE
+from ..extent import NIGHTLY, SEED
 from ..postgresql_server import needs_postgresql
 
-KILLS = 1000 if WHOLE else 20
+KILLS = 1000 if NIGHTLY else 20
 
 WRITER = """
 import sys
@@ -48,7 +48,6 @@ while True:
 
 
 @pytest.mark.long
-@pytest.mark.turns
 def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path) -> None:
     database = tmp_path / "class.sqlite3"
     reported = 0
@@ -64,7 +63,6 @@ def test_nothing_acknowledged_is_missing_after_kills_during_saves(tmp_path: Path
 
 @needs_postgresql
 @pytest.mark.long
-@pytest.mark.turns
 def test_nothing_acknowledged_is_missing_on_a_server_after_kills_of_its_client(server: str) -> None:
     from rosy_sim.classroom.store.postgresql_database import PostgresqlDatabase
 
@@ -95,7 +93,7 @@ def _killed_writers(command: list[str], more: list[str]) -> Iterator[list[str]]:
 
 def assert_kept(store: ClassStore, acknowledged: list[str]) -> None:
     pupil = store.pupil_of("token")
-    assert pupil is not None
+    assert isinstance(pupil, Pupil)
     kept = {version.number: version.text.split()[:2] for version in store.history(pupil.id)}
     assert kept[int(acknowledged[0])] == acknowledged[1:]
     # At most one save was going on; nothing before it is missing.

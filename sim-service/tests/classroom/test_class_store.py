@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from rosy_sim.classroom.store import class_store as stores
-from rosy_sim.classroom.store import schema
+from rosy_sim.classroom.store import roster_store, schema
 from rosy_sim.classroom.store.class_store import (
     Admission,
     ClassStore,
@@ -185,7 +185,7 @@ def test_a_full_share_takes_superseded_versions_and_never_the_newest(
 
 
 def test_a_class_has_an_end(store: ClassStore, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stores, "MAX_PUPILS", 1)
+    monkeypatch.setattr(roster_store, "MAX_PUPILS", 1)
     join(store)
     assert store.join("Ben", lambda: "x y z", "t", 1.0) == StoreFull()
 

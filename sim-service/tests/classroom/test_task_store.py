@@ -28,8 +28,14 @@ def test_a_class_of_the_first_schema_keeps_its_pupils_and_gets_tasks(
 ) -> None:
     with monkeypatch.context() as old:
         old.setattr(schema, "MIGRATIONS", schema.MIGRATIONS[:1])
-        before = ClassStore(opens("c"), ADMISSION, 0.0)
-        ada = joined(before, "Ada")
+        database = opens("c")
+        before = ClassStore(database, ADMISSION, 0.0)
+        # As Rosy of that time did.
+        with database.transaction():
+            (ada,) = database.execute(
+                "INSERT INTO pupil (nickname, nickname_key, words, joined) VALUES (?, ?, ?, ?) RETURNING id",
+                ("Ada", "ada", "a b c", 1.0),
+            ).fetchone()
         before.close()
     store = ClassStore(opens("c"), ADMISSION, 0.0)
     store.tasks.hand_in(opened(store, "Maze", 1.0).id, ada, "walk", "text", 2.0)

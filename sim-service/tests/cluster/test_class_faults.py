@@ -15,7 +15,6 @@ from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.classroom.store.database import SqliteDatabase
 
 from ..conftest import PATIENCE
-from ..extent import WHOLE
 from ..test_cli import environment
 from .ray_nodes import Node, needs_ray
 
@@ -45,8 +44,6 @@ def test_a_service_that_cannot_start_tells_its_actor_a_sentence(environment: dic
 
 @needs_ray
 @pytest.mark.long
-@pytest.mark.turns
-@pytest.mark.skipif(not WHOLE, reason="cluster: classes that cannot start are begun in nightly")
 def test_a_class_without_a_node_or_a_database_says_so(environment: dict[str, str], tmp_path: Path) -> None:
     token = {**environment, "ROSY_CLUSTER_TOKEN": str(tmp_path / "token")}
 

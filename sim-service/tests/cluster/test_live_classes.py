@@ -8,6 +8,7 @@ from __future__ import annotations
 import asyncio
 import io
 import json
+import re
 import subprocess
 import time
 import zipfile
@@ -22,7 +23,6 @@ from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import InvalidStatus
 
 from ..conftest import PATIENCE, UNHURRIED
-from ..extent import WHOLE
 from ..ports import kept_port
 from ..postgresql_server import needs_postgresql, postgresql_server
 from ..test_cli import environment
@@ -167,9 +167,7 @@ async def watch(pupil: Pupil, seen: list[dict[str, Any]]) -> None:
 
 
 @needs_ray
-@pytest.mark.skipif(not WHOLE, reason="cluster: live classes are played in nightly")
 @pytest.mark.long
-@pytest.mark.turns
 def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, list[Node]], tmp_path: Path) -> None:
     pages, nodes = cluster
     admissions = {name: pages.begin(name) for name in ("7a", "7b")}
@@ -231,7 +229,7 @@ def test_a_class_outlives_its_node_and_another_goes_on(cluster: tuple[Pages, lis
     assert pages.classes("list").stdout == "7a\n7b\n"
     assert pages.classes("export", "7a", "-o", tmp_path / "7a.zip").returncode == 0
     assert "001 Ada/walk.rosy" in zipfile.ZipFile(tmp_path / "7a.zip").namelist()
-    assert "open in another Rosy" in pages.classes("delete", "7b").stderr
+    assert "open in another Rosy" in pages.classes("delete", "7b", "--yes").stderr
     assert "has ended" in pages.command("--class", "7b", "--end")
-    assert pages.classes("delete", "7b").returncode == 0
-    assert pages.classes("list").stdout == "7a\n"
+    assert pages.classes("delete", "7b", "--yes").returncode == 0
+    assert re.fullmatch(r"7a\n7b \(deleted; .*\)\n", pages.classes("list").stdout)

@@ -60,6 +60,17 @@ SILENT = """
 """
 
 
+PRESSED_TWICE = """
+0.1 drive <- tick | Memory False -> Velocity 0.5 0.0
+0.5 bump <- Bumper CenterBumper Released -> Memory False
+1.0 drive <- tick | Memory False @1 -> Velocity 0.5 0.0
+2.0 bump <- Bumper CenterBumper Pressed -> Memory True
+3.0 press <- Button Button1 Pressed -> Memory True
+4.9 bump <- Bumper CenterBumper Pressed -> Memory True
+5.0 drive <- tick | Memory True @5 -> Velocity (-0.5) 0.0
+"""
+
+
 @pytest.mark.parametrize(
     ("story", "time", "answer"),
     [
@@ -190,6 +201,26 @@ SILENT = """
                 "**count** ran at 0.10 s because it runs ten times a second.",
                 "`Memory Int` was `0`, its first value: no function had written it.",
                 "**count** ran at 0.00 s because it runs ten times a second.",
+            ],
+        ),
+        (
+            PRESSED_TWICE,
+            None,
+            [
+                "At 5.00 s **drive** sent `Velocity (-0.5) 0.0` for `Memory True`.",
+                "`Memory Bool` was `True` since 2.00 s: **bump** remembered it.",
+                "**drive** ran at 5.00 s because it runs ten times a second.",
+                "**bump** ran at 2.00 s because the centre bumper was pressed.",
+            ],
+        ),
+        (
+            PRESSED_TWICE,
+            1.0,
+            [
+                "At 1.00 s **drive** sent `Velocity 0.5 0.0` for `Memory False`.",
+                "`Memory Bool` was `False` from the start: what was remembered since then was the same.",
+                "**drive** ran at 1.00 s because it runs ten times a second.",
+                "**bump** ran at 0.50 s because the centre bumper was released.",
             ],
         ),
         (SILENT, None, ["The program has sent no command."]),

@@ -19,6 +19,7 @@ from rosy_sim.explain.why_not import (
     why_not_run,
     why_not_sent,
 )
+from rosy_sim.robot_description import type_roles
 from rosy_sim.robots.kobuki.facts import MAX_ANGULAR_SPEED, MAX_SPEED
 
 from .recorded import recorded
@@ -134,6 +135,31 @@ def run(story: str) -> RecordedRun:
 )  # fmt: skip
 def test_why_a_function_did_not_run(story: str, name: str, start: float, end: float, answer: str) -> None:
     assert why_not_run(run(story), FUNCTIONS, name, Window(start, end)).sentence == answer
+
+
+@pytest.mark.parametrize("state", sorted(type_roles().states))
+def test_a_state_is_always_there(state: str) -> None:
+    functions = [FunctionType("watch", (state,), ("Say",)), FunctionType("both", (state, "Bumper"), ("Say",))]
+    for name in ("watch", "both"):
+        told = str(why_not_run(run(BUMPS), functions, name, Window(2, 4)).sentence)
+        assert f"`{state}`; none came" not in told
+
+
+@pytest.mark.parametrize("view", sorted(type_roles().views))
+def test_an_event_on_one_side_has_come_when_that_side_told_it(view: str) -> None:
+    whole, place = type_roles().views[view].split(" ")
+    functions = [FunctionType("watch", (view,), ("Say",))]
+    story = f"1.00 ! {whole} {place} Yes\n2.00 ! {whole} Elsewhere Yes"
+    answer = f"**watch** takes a `{view}`; none came between 1.50 s and 2.50 s. The last came at 1.00 s."
+    assert why_not_run(run(story), functions, "watch", Window(1.5, 2.5)).sentence == answer
+
+
+@pytest.mark.parametrize("command", sorted(type_roles().commands))
+def test_every_command_of_a_robot_is_known(command: str) -> None:
+    functions = [FunctionType("play", ("Bumper",), ("Mine",))]
+    told = str(why_not_sent(run(BUMPS), functions, "play", command, Window(0, 5)).sentence)
+    assert told.startswith("**play** never sends a")
+    assert told.endswith(f" `{command}`: it gives a `Mine`.")
 
 
 @pytest.mark.parametrize(

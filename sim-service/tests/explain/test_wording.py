@@ -35,6 +35,7 @@ SENTENCES = [
     Sentence("first-value", type="Memory Position", value="Position (-6.1e-5) 6.187726569706342e-2"),
     Sentence("first-value", type="Memory Int", value="0"),
     Sentence("old-value", type="Memory Int", value="0"),
+    Sentence("from-start", type="Memory Bool", value="False"),
     Sentence("not-written", type="Memory Int"),
     Sentence("remembered", type="Memory Bool", value="True", since=3.42, other="bump", cause=1),
     Sentence("had-come", value=BUMP, since=1),

@@ -2,7 +2,7 @@
 Fuzz test of every border of the service that reads foreign bytes: a case is a value, or is refused with the border's
 own exception and a sentence. Nothing else may come out.
 
-A share runs each day with another seed; in ``nightly`` there are 1,000,000 cases.
+In ``nightly`` there are 1,000,000 cases.
 """
 
 from __future__ import annotations
@@ -25,9 +25,9 @@ from rosy_sim.classroom.messages.pupil_messages import PupilRequest, read_pupil_
 from rosy_sim.classroom.word_list import read_words
 from rosy_sim.errors import BadInput
 from rosy_sim.lessons.program_graph import read_graph
+from rosy_sim.programs.input_file import read_inputs
+from rosy_sim.programs.program_file import read_program
 from rosy_sim.rooms.generation.families import read_family
-from rosy_sim.run.input_file import read_inputs
-from rosy_sim.run.program_file import read_program
 from rosy_sim.run.steps.hands import Hand, read_hands
 from rosy_sim.web.sessions.simulator.ros_bridge import RosBridge
 from rosy_sim.wire import page, robot_process, worker
@@ -43,12 +43,12 @@ from rosy_sim.world.arena import read_arena
 from rosy_sim.world.field_readers import ArenaError
 from rosy_sim.world.properties import BadProperty, read_properties
 
-from ..extent import SEED, WHOLE
+from ..extent import NIGHTLY, SEED
 from .mutation import Fuzzer, encoded, generated
 
 ROOT = Path(__file__).resolve().parents[3]
 
-MESSAGES = 45_000 if WHOLE else 1_500
+MESSAGES = 45_000 if NIGHTLY else 1_500
 """Cases of each border."""
 
 
@@ -228,7 +228,6 @@ class Case:
         return True
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("border", BORDERS, ids=lambda border: border.name)
 def test_every_case_is_a_value_or_a_refusal(border: Border) -> None:
     rng = random.Random(f"{border.name} {SEED}")
@@ -274,7 +273,6 @@ def test_the_name_of_a_room_with_a_null_byte_is_refused() -> None:
         read_family("like:/x\x00")
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(
     "border", [border for border in BORDERS if border.kind is not None], ids=lambda border: border.name
 )

@@ -10,7 +10,8 @@ import pytest
 from rosy_sim.lessons.checks import Check
 from rosy_sim.lessons.program_graph import GraphFunction, ProgramGraph
 from rosy_sim.lessons.recording import Happening, Recording, Sample
-from rosy_sim.lessons.verdicts import Seen, Verdict, judge
+from rosy_sim.lessons.verdicts import judge
+from rosy_sim.wire.verdict import Seen, Verdict
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.goals import GoalState
 

@@ -123,9 +123,10 @@ class Editor:
 def applied(text: str, edits: list[types.TextEdit]) -> str:
     """A text after edits, computed in UTF-16 as editors do: an implementation of its own."""
     for edit in sorted(edits, key=lambda e: (e.range.start.line, e.range.start.character), reverse=True):
-        units = text.encode("utf-16-le")
+        units = text.encode("utf-16-le", "surrogatepass")
         start, end = _byte(units, edit.range.start), _byte(units, edit.range.end)
-        text = (units[:start] + edit.new_text.encode("utf-16-le") + units[end:]).decode("utf-16-le")
+        inserted = edit.new_text.encode("utf-16-le", "surrogatepass")
+        text = (units[:start] + inserted + units[end:]).decode("utf-16-le", "surrogatepass")
     return text
 
 

@@ -11,7 +11,7 @@ from rosy_sim.errors import WorkerLost, WorkerRefused
 from rosy_sim.lsp.checks import CheckedDocument, DocumentChecks
 from rosy_sim.lsp.document import Document
 from rosy_sim.sentences.sentence import verbatim
-from rosy_sim.wire.problem import problem
+from rosy_sim.wire.problem import Problem, problem
 from rosy_sim.wire.worker import Checked
 
 URI = "file:///a.hs"
@@ -42,8 +42,12 @@ def with_checks(test: Callable[[DocumentChecks, _Worker], Awaitable[None]]) -> l
 
     async def run() -> None:
         worker = _Worker()
+
+        async def no_conflicts(_: Document) -> list[Problem]:
+            return []
+
         # Only its check is used.
-        checks = DocumentChecks(worker, on_checked, lambda _, why: told.append(f"failed: {why}"))  # type: ignore[arg-type]
+        checks = DocumentChecks(worker, no_conflicts, on_checked, lambda _, why: told.append(f"failed: {why}"))  # type: ignore[arg-type]
         await test(checks, worker)
         await checks.close()
 

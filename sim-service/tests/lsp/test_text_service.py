@@ -10,6 +10,7 @@ from typing import TypeVar
 
 import pytest
 
+from rosy_sim.lsp.document import Document
 from rosy_sim.lsp.text_service import TextService, TextServiceMissing
 from rosy_sim.wire.problem import Place
 
@@ -34,6 +35,10 @@ def asked(command_line: Path, question: Callable[[TextService], Awaitable[_T]]) 
     return asyncio.run(ask())
 
 
+def document(text: str, version: int = 1) -> Document:
+    return Document("file:///a.hs", text, version)
+
+
 def script(folder: Path, code: str) -> Path:
     """A helper program in the service's place."""
     path = folder / "service.cjs"
@@ -50,9 +55,9 @@ def test_it_knows_the_names_of_the_library() -> None:
 @BUILT
 def test_a_request_after_the_death_of_the_service_starts_it_again() -> None:
     async def twice(service: TextService) -> tuple[str, str]:
-        first = await service.format("a  =  1\n")
+        first = await service.format(document("a  =  1\n"))
         await service.close()
-        second = await service.format("b  =  1\n")
+        second = await service.format(document("b  =  1\n"))
         return first.text, second.text
 
     assert asked(CLI, twice) == ("a = 1\n", "b = 1\n")
@@ -61,7 +66,7 @@ def test_a_request_after_the_death_of_the_service_starts_it_again() -> None:
 @BUILT
 def test_concurrent_requests_get_their_own_answers() -> None:
     async def many(service: TextService) -> list[str]:
-        return [f.text for f in await asyncio.gather(*(service.format(f"x  =  {n}\n") for n in range(20)))]
+        return [f.text for f in await asyncio.gather(*(service.format(document(f"x  =  {n}\n")) for n in range(20)))]
 
     assert asked(CLI, many) == [f"x = {n}\n" for n in range(20)]
 
@@ -70,13 +75,42 @@ def test_concurrent_requests_get_their_own_answers() -> None:
 def test_a_cancelled_request_does_not_answer_the_next_one() -> None:
     async def cancelled(service: TextService) -> str:
         await service.names()
-        waiting = asyncio.ensure_future(service.format("a  =  1\n" * 2000))
+        waiting = asyncio.ensure_future(service.format(document("a  =  1\n" * 2000)))
         await asyncio.sleep(0)
         waiting.cancel()
         await asyncio.gather(waiting, return_exceptions=True)
-        return (await service.format("b  =  2\n")).text
+        return (await service.format(document("b  =  2\n"))).text
 
     assert asked(CLI, cancelled) == "b = 2\n"
+
+
+@BUILT
+@pytest.mark.parametrize("character", ["\u2028", "\u2029", "\u0085", "\x0b", "\x0c", "\x1c", "\ud800", "\ufeff"])
+def test_characters_that_end_lines_elsewhere_leave_answers_with_their_requests(character: str) -> None:
+    async def three(service: TextService) -> list[object]:
+        odd = document(f'a  =  "x{character}y"\n')
+        await service.format(odd)
+        return [(await service.format(document(f"x  =  {n}\n", n))).text for n in range(3)]
+
+    assert asked(CLI, three) == ["x = 0\n", "x = 1\n", "x = 2\n"]
+
+
+@BUILT
+def test_an_answer_about_another_request_or_version_is_dropped(tmp_path: Path) -> None:
+    """A service that answers each request also for an older one and for an older version."""
+    code = """
+    console.log('{"op":"ready","names":[]}')
+    require("node:readline").createInterface({input: process.stdin}).on("line", line => {
+      const {id, version} = JSON.parse(line)
+      for (const about of [{id: id - 1, version}, {id, version: version - 1}, {id, version}])
+        console.log(JSON.stringify({op: "formatted", text: `${about.id} ${about.version}`, left: 0, ...about}))
+    })
+    """
+
+    async def twice(service: TextService) -> list[str]:
+        return [(await service.format(document("a", version))).text for version in (5, 7)]
+
+    assert asked(script(tmp_path, code), twice) == ["1 5", "2 7"]
 
 
 def test_without_a_built_service_one_sentence_says_so(tmp_path: Path) -> None:
@@ -98,4 +132,4 @@ def test_without_node_one_sentence_says_so(tmp_path: Path, monkeypatch: pytest.M
 )
 def test_a_service_that_fails_is_one_sentence(tmp_path: Path, code: str) -> None:
     with pytest.raises(TextServiceMissing, match="helper program"):
-        asked(script(tmp_path, code), lambda service: service.token("a", Place(1, 1)))
+        asked(script(tmp_path, code), lambda service: service.token(document("a"), Place(1, 1)))

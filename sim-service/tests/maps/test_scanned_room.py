@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import io
 import math
 import random
 from pathlib import Path
 
 import pytest
+from PIL import Image
 
 from rosy_sim.errors import BadInput
 from rosy_sim.maps.scanned_room import ScannedRoom, room_of_map
-from rosy_sim.world.arena import Arena
+from rosy_sim.world.arena import MAX_SHAPES, Arena
 from rosy_sim.worlds.gallery import usable_arena
 
 from .drawn_map import CELL, GRAY, as_text, binary, cast, map_file, obstacles, put, rectangle
@@ -110,10 +112,96 @@ def test_thresholds_say_what_is_occupied(tmp_path: Path) -> None:
     gray = {**GRAY, "o": 153}
     path = map_file(tmp_path, binary(rows, gray))
     unknown = room_of_map(path)
+    assert unknown.unknown == pytest.approx(16 * CELL * CELL)
     occupied = room_of_map(map_file(tmp_path, binary(rows, gray), occupied_thresh=0.39))
     free = room_of_map(map_file(tmp_path, binary(rows, gray), free_thresh=0.41))
     assert unknown.walls == free.walls == 4
     assert occupied.walls == 8
+
+
+UNKNOWN = put(put(ROOM, 40, 10, PILLAR), 14, 1, ["  ", " .", "  "] * 12 + ["  "] * 2)
+"""A room with a pillar and a strip across it that no scan has seen, with single free cells in it."""
+
+AROUND = [" " * 70] * 5 + [" " * 6 + row + " " * 4 for row in put(UNKNOWN, 59, 12, [" ", ".", " "])] + [" " * 70] * 3
+"""The same within a margin that no scan has seen, and a hole in its outer wall."""
+
+
+def saved(rows: list[str], mode: str, kind: str, negate: bool) -> bytes:
+    """An image as ROS 2's saver writes it (nav2_map_server/src/map_io.cpp), or its negative."""
+    levels = {
+        "trinary": {"#": 0, ".": 254, " ": 205},
+        "scale": {"#": 0, ".": 255, " ": 128},
+        "raw": {"#": 100, ".": 0, " ": 255},
+    }[mode]
+    cells = "".join(rows)
+    pixels = bytes(levels[cell] ^ (255 if negate and mode != "raw" else 0) for cell in cells)
+    image = Image.frombytes("L", (len(rows[0]), len(rows)), pixels)
+    if mode == "scale" and kind == "PNG":
+        image.putalpha(Image.frombytes("L", image.size, bytes(0 if cell == " " else 255 for cell in cells)))
+    file = io.BytesIO()
+    image.save(file, kind)
+    return file.getvalue()
+
+
+THRESHOLDS = [(0.65, 0.196), (0.65, 0.25), (0.65, 0.65), (0.9, 0.6), (0.3, 0.2), (1, 0.99)]
+
+
+@pytest.mark.parametrize("kind", ["PNG", "BMP", "PPM"])
+@pytest.mark.parametrize("negate", [False, True])
+@pytest.mark.parametrize("mode", ["trinary", "scale", "raw"])
+@pytest.mark.parametrize(("occupied", "free"), THRESHOLDS)
+def test_unknown_is_never_floor(
+    kind: str, negate: bool, mode: str, occupied: float, free: float, tmp_path: Path
+) -> None:
+    image = saved(AROUND, mode, kind, negate)
+    path = map_file(tmp_path, image, mode=mode, negate=int(negate), occupied_thresh=occupied, free_thresh=free)
+    room, arena = made(path)
+    # What surrounds the room is cropped.
+    assert (arena.width, arena.height) == pytest.approx((60 * CELL, 40 * CELL))
+    inner = [row[6:66] for row in AROUND[5:45]]
+    cells = {
+        cell: [(x, 39 - y) for y, row in enumerate(inner) for x, c in enumerate(row) if c == cell] for cell in ". "
+    }
+    assert room.unknown == pytest.approx(len(cells[" "]) * CELL * CELL)
+
+    def is_covered(x: int, y: int) -> bool:
+        px, py = (x + 0.5) * CELL, (y + 0.5) * CELL
+        return any(abs(px - b.x) < b.w / 2 and abs(py - b.y) < b.h / 2 for b in arena.boxes if b.unknown)
+
+    assert all(is_covered(*cell) for cell in cells[" "])
+    assert not any(is_covered(*cell) for cell in cells["."])
+    start = math.floor(arena.start.x / CELL), math.floor(arena.start.y / CELL)
+    assert start in cells["."]
+
+
+def test_a_robot_cannot_enter_what_is_unknown(tmp_path: Path) -> None:
+    _, arena = made(map_file(tmp_path, binary(UNKNOWN), free_thresh=0.25, origin="[-1.5, -1, 0]"))
+    built = obstacles(arena)
+    assert built.distance(1.5, 0.3, math.pi, 10.0) == pytest.approx(1.5 - 16 * CELL, abs=CELL)
+
+
+def test_a_ragged_edge_of_the_unknown_is_smoothed_until_its_areas_are_few_enough(tmp_path: Path) -> None:
+    dice = random.Random(2)
+    rows = rectangle(500, 300)
+    for y in range(1, 299):
+        length = 200 + dice.randrange(6)
+        holes = "".join(dice.choice("  .") for _ in range(length))
+        rows = put(rows, 1, y, [holes])
+    room, arena = made(map_file(tmp_path, binary(rows)))
+    assert len(arena.boxes) + len(arena.walls) <= MAX_SHAPES
+    covered = [
+        [range(round((b.x - b.w / 2) / CELL), round((b.x + b.w / 2) / CELL)) for b in arena.boxes
+         if round((b.y - b.h / 2) / CELL) <= y < round((b.y + b.h / 2) / CELL)]
+        for y in range(300)
+    ]  # fmt: skip
+    for row, text in enumerate(rows):
+        runs = covered[299 - row]
+        for x, cell in enumerate(text):
+            if cell == " ":
+                assert any(x in run for run in runs)
+            elif x > 215:
+                assert not any(x in run for run in runs)
+    assert room.start[0] > 206 * CELL
 
 
 def test_specks_are_left_out_and_counted(tmp_path: Path) -> None:

@@ -12,19 +12,20 @@ import os
 import signal
 import subprocess
 from collections.abc import AsyncIterator, Callable
-from contextlib import asynccontextmanager
+from contextlib import AbstractAsyncContextManager, asynccontextmanager
 from pathlib import Path
 
 import pytest
 
-from rosy_sim.ownership.driver_locks import active_drivers
+from rosy_sim.ownership.driver_locks import active_drivers, canonical_address
 from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
 from ..ports import kept_port
+from ..ros2.bases import place
 from ..web.page_client import Page
 
-__all__ = ["LIMIT", "Rig", "Robot", "kobuki", "looking", "rosbridge", "rospy"]
+__all__ = ["LIMIT", "Rig", "Robot", "kobuki", "looking", "ros2", "rosbridge", "rospy", "zenoh"]
 
 LIMIT = 0.7
 """Within so many s a robot that is not driven any more stands."""
@@ -185,6 +186,22 @@ async def rospy(folder: Path) -> AsyncIterator[Robot]:
         yield robot
 
 
+@asynccontextmanager
+async def ros2(_folder: Path, transport: str = "DDS") -> AsyncIterator[Robot]:
+    """A base on ROS 2, with another vendor's DDS and without a limit of its own."""
+    with place(transport) as where:
+        async with _started(Robot, *where.command, "", "turtlebot3", "stamped", "no_watchdog") as robot:
+            robot.address = f"{where.address}?safety=off&rearm=off"
+            robot.told = "got {:.1f} 0 "
+            await robot.begins("ready")
+            yield robot
+
+
+def zenoh(folder: Path) -> AbstractAsyncContextManager[Robot]:
+    """One with Zenoh."""
+    return ros2(folder, "Zenoh")
+
+
 def _ros_in(folder: Path) -> None:
     """Debian's ROS 1 and the base's messages; skips with a word where they cannot be had."""
     made = subprocess.run(
@@ -196,9 +213,7 @@ def _ros_in(folder: Path) -> None:
 
 async def _send_alive(page: Page) -> None:
     with contextlib.suppress(Exception):
-        while True:
-            await page.send("alive")
-            await asyncio.sleep(0.1)
+        await page.look()
 
 
 @asynccontextmanager
@@ -254,9 +269,11 @@ class Rig:
     async def looks_away(self) -> None:
         assert self._looking is not None
         self._looking.cancel()
+        self._looking = None
 
     @property
     def driver(self) -> int:
         """The process that drives the robot."""
-        [driver] = [d for d in active_drivers() if d.address == self.robot.address]
+        mine = canonical_address(self.robot.address)
+        [driver] = [d for d in active_drivers() if canonical_address(d.address) == mine]
         return driver.process

@@ -109,7 +109,6 @@ def named(happening: Callable[[Rig], Awaitable[None]]) -> str:
 
 
 @pytest.mark.long
-@pytest.mark.turns
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 @pytest.mark.parametrize("way", WAYS)
 def test_a_real_robot_stands(way: str, config: Config, tmp_path: Path, times: Times) -> None:

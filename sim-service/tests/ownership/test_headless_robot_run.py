@@ -25,7 +25,6 @@ SPEAKER = discover().robot_executable
 pytestmark = pytest.mark.skipif(SPEAKER is None, reason="rosy-robot is not built")
 
 
-@pytest.mark.turns
 def test_a_program_drives_a_robot_until_it_bumps_and_is_done(config: Config, capfd: pytest.CaptureFixture[str]) -> None:
     """The service has a thread of its own: signals, which stop the robot, come to the main one."""
     robots: queue.Queue[str] = queue.Queue()
@@ -94,6 +93,16 @@ def test_a_robot_that_does_not_answer_is_missing_before_anything_is_compiled(con
     ):
         run_on_robot(worker, SPEAKER, "drive:0.5", "ws://127.0.0.1:1", 1.0)
     assert RobotMissing.exit_status == 2
+
+
+def test_a_program_whose_robot_never_comes_has_not_run(config: Config, capfd: pytest.CaptureFixture[str]) -> None:
+    """Something listens there and says nothing: the seconds of the run are the robot's, and it is given up."""
+    with socket.create_server(("127.0.0.1", 0)) as server, BlockingWorker(config) as worker:
+        address = f"ws://127.0.0.1:{server.getsockname()[1]}?patience=0.2"
+        assert run_on_robot(worker, SPEAKER, "drive:0.5", address, 0.1)[1] == 2
+    said = capfd.readouterr()
+    assert json.loads(said.out.splitlines()[-1])["pose"] is None
+    assert "The program never ran, because the robot was not there." in said.err
 
 
 ADDRESS = "serial:/dev/null"

@@ -58,7 +58,6 @@ def poses(frames: list[dict[str, Any]]) -> dict[float, tuple[float, float]]:
     return {frame["time"]: (frame["pose"]["x"], frame["pose"]["y"]) for frame in frames}
 
 
-@pytest.mark.turns
 def test_a_page_looks_at_its_run_again_and_asks_why(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -92,7 +91,6 @@ def test_a_page_looks_at_its_run_again_and_asks_why(config: Config, tmp_path: Pa
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_a_file_is_shown_in_the_room_of_the_page(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -113,7 +111,6 @@ def test_a_file_is_shown_in_the_room_of_the_page(config: Config, tmp_path: Path)
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_a_program_that_sends_other_commands_is_shown_up_to_there(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -138,7 +135,6 @@ def foreign(path: Path) -> bytes:
     return path.read_bytes()
 
 
-@pytest.mark.turns
 def test_each_file_that_is_no_recording_gets_one_sentence(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -180,7 +176,6 @@ def test_files_are_taken_from_the_page_itself_and_up_to_a_size(
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_a_long_recording_has_fewer_frames_and_stop_ends_it(
     config: Config, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -27,7 +27,7 @@ from rosy_sim.recordings.mcap_file import open_recording
 from rosy_sim.wire.robot_process import CommandsLine, EndedLine
 
 from ..conftest import PATIENCE
-from ..extent import WHOLE
+from ..extent import NIGHTLY
 from ..processes import descriptors
 from ..web.page_client import Page, opened, serving
 from .robot_rig import LIMIT, Rig, Robot, kobuki, looking
@@ -72,7 +72,6 @@ def test_robots_are_locked_until_the_page_knows_the_code(config: Config, tmp_pat
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_runs_of_a_page_are_recorded_each_in_its_file(
     config: Config, tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -170,7 +169,6 @@ def test_a_program_drives_the_robot_and_the_page_sees_it(config: Config, tmp_pat
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -205,7 +203,6 @@ def test_a_run_on_the_robot_is_recorded_and_answers_why_and_why_not(config: Conf
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_functions_that_override_each_other_on_the_robot_are_reported(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -243,7 +240,6 @@ def test_one_page_has_a_robot_and_the_others_see_who(config: Config, tmp_path: P
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(
     ("script", "ended", "kind"),
     [
@@ -301,7 +297,6 @@ class FirstEnd:
         self.ended.set_result("lost")
 
 
-@pytest.mark.turns
 def test_a_stop_that_comes_before_the_run_has_begun_is_not_lost(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -321,14 +316,12 @@ def test_a_stop_that_comes_before_the_run_has_begun_is_not_lost(config: Config, 
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_wheels_turn_again_when_somebody_looks_again(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
         await rig.drives()
         await rig.looks_away()
         await rig.robot.moves(0.0)
-        rig._looking = None
         rig.looks()
         await rig.robot.moves(0.2)
 
@@ -509,11 +502,10 @@ def test_a_robot_that_a_terminal_drives_cannot_be_taken_by_any_of_its_names(conf
     story(tell, config, tmp_path)
 
 
-RUNS = 50 if WHOLE else 8
+RUNS = 50 if NIGHTLY else 8
 """One descriptor that each leaves would be seen after one of them."""
 
 
-@pytest.mark.turns
 def test_many_runs_leave_no_descriptor_open(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

@@ -45,7 +45,6 @@ async def both_end(rig: Rig, real: int, twin: int) -> None:
         await rig.page.all_of(*({"op": "state", "state": "ended", "run": run} for run in (real, twin)))
 
 
-@pytest.mark.turns
 def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -62,7 +61,6 @@ def test_both_drive_from_the_start_of_the_room_for_the_same_time(config: Config,
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_both_answer_why(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -79,7 +77,6 @@ def test_both_answer_why(config: Config, tmp_path: Path) -> None:
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("link", [rosbridge, rospy])
 def test_the_twin_drives_beside_a_robot_on_a_network(
     config: Config, tmp_path: Path, link: Callable[[Path], AbstractAsyncContextManager[Robot]]
@@ -104,7 +101,6 @@ def test_the_twin_drives_beside_a_robot_on_a_network(
     story(tell, config, tmp_path, link=link)
 
 
-@pytest.mark.turns
 def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()
@@ -118,7 +114,6 @@ def test_a_robot_that_slips_stays_behind_its_twin(config: Config, tmp_path: Path
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_another_run_without_a_twin_starts_at_the_origin_and_shows_nothing_of_the_run_before(
     config: Config, tmp_path: Path
 ) -> None:
@@ -134,7 +129,6 @@ def test_another_run_without_a_twin_starts_at_the_origin_and_shows_nothing_of_th
     story(tell, config, tmp_path)
 
 
-@pytest.mark.turns
 def test_the_twin_ends_with_the_run_whatever_ends_it(config: Config, tmp_path: Path) -> None:
     async def tell(rig: Rig) -> None:
         await rig.takes()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import subprocess
 import sys
 import threading
@@ -33,13 +34,31 @@ def base(folder: Path) -> Iterator[tuple[str, subprocess.Popen[str]]]:
             process.kill()
 
 
-def recorded(config: Config, source: str, folder: Path, seconds: float = 60.0, told: str = "bump 4") -> Finished:
-    """A program drives a base that was told this, and its run is recorded."""
+def recorded(config: Config, source: str, folder: Path, seconds: float = 60.0, told: str | None = None) -> Finished:
+    """
+    A program drives a base, and its run is recorded. The base was told this, or its bumper is pressed and released
+    again and again: a press from before the program's start does not reach it (rule R10).
+    """
     with base(folder) as (address, process):
-        assert process.stdin is not None
-        process.stdin.write(f"{told}\n")
-        process.stdin.flush()
-        return recorded_at(address, config, source, seconds)
+        words = process.stdin
+        assert words is not None
+        over = threading.Event()
+
+        def touch() -> None:
+            for text in [told] if told is not None else itertools.cycle(["bump 4", "bump 0"]):
+                with contextlib.suppress(OSError, ValueError):
+                    words.write(f"{text}\n")
+                    words.flush()
+                if over.wait(0.2):
+                    return
+
+        touching = threading.Thread(target=touch)
+        touching.start()
+        try:
+            return recorded_at(address, config, source, seconds)
+        finally:
+            over.set()
+            touching.join()
 
 
 def recorded_at(address: str, config: Config, source: str, seconds: float = 60.0) -> Finished:

@@ -145,7 +145,6 @@ def odometry(x: float, theta: float) -> str:
     return json.dumps({"child_frame_id": "base_link", "pose": {"pose": pose}, "twist": {"twist": still}})
 
 
-@pytest.mark.turns
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 @pytest.mark.parametrize("robot", ["create3", "turtlebot3"])
 def test_a_recording_of_a_ros_2_robot_tells_the_same(config: Config, robot: str) -> None:
@@ -183,7 +182,6 @@ def test_the_inverse_of_what_wheels_do_is_what_they_were_told() -> None:
 SLIP = (0.8, 0.7, 0.3)
 
 
-@pytest.mark.turns  # Real time: on a machine that is busy with other tests the base's clock and ours drift apart.
 @pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 def test_the_slip_of_a_base_is_found_within_ten_per_cent_and_its_room_written(
     config: Config, tmp_path: Path, capsys: pytest.CaptureFixture[str]

@@ -48,7 +48,14 @@ def test_another_reader_finds_order_times_program_and_details(tmp_path: Path) ->
         ]
         assert [a.data.decode() for a in reader.iter_attachments()] == [DETAILS.program]
         assert [m.metadata for m in reader.iter_metadata()] == [
-            {"robot": DETAILS.robot, "name": DETAILS.name, "ended": "", "complete": "yes", "left_out": "2"}
+            {
+                "version": "1",
+                "robot": DETAILS.robot,
+                "name": DETAILS.name,
+                "ended": "",
+                "complete": "yes",
+                "left_out": "2",
+            }
         ]
 
 

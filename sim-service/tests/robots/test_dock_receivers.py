@@ -50,5 +50,31 @@ def test_what_stands_between_hides_the_dock(hidden: bool, things: dict[str, obje
     assert world.channels()["DockInfraRed"] == (0, 0 if hidden else FAR_CENTER, 0)
 
 
+@pytest.mark.parametrize("thing", ["wall", "box", "drum", "loose box"])
+@pytest.mark.parametrize(
+    ("covered", "seen"),
+    [
+        (0.5, (0, FAR_CENTER, FAR_RIGHT)),
+        (0.0, (FAR_LEFT, 0, FAR_RIGHT)),
+        (-0.5, (FAR_LEFT, FAR_CENTER, 0)),
+    ],
+)
+def test_of_a_dock_that_is_partly_hidden_the_free_regions_are_seen(
+    thing: str, covered: float, seen: tuple[int, int, int]
+) -> None:
+    # The robot stands in one region after the other; what hides the dock stands a quarter of the way before it.
+    for side, expected in zip((0.5, 0.0, -0.5), seen, strict=True):
+        dock = 10.0 - side
+        x, y = 12.25, dock + 0.25 * covered
+        things: dict[str, dict[str, object]] = {
+            "wall": {"walls": [{"from": [x, y - 0.05], "to": [x, y + 0.05]}]},
+            "box": {"boxes": [{"x": x, "y": y, "w": 0.1, "h": 0.1}]},
+            "drum": {"rounds": [{"x": x, "y": y, "r": 0.05}]},
+            "loose box": {"boxes": [{"x": x, "y": y, "w": 0.1, "h": 0.1, "mass": 1}]},
+        }
+        world = hall(dock={"x": 13.0, "y": dock, "theta": 0.0}, **things[thing])
+        assert world.channels()["DockInfraRed"] == (0, expected, 0)
+
+
 def test_a_room_without_a_dock_has_no_signal() -> None:
     assert hall().channels()["DockInfraRed"] == (0, 0, 0)

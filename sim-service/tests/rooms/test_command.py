@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import re
+import shlex
 import signal
 import subprocess
 import sys
@@ -41,7 +42,6 @@ def program(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.turns
 def test_a_program_that_keeps_the_properties_passes(environment: Environment, tmp_path: Path) -> None:
     (tmp_path / "still.hs").write_text("done@20")
     done = rosy(environment, "run", "still.hs", "--rooms", 4, "--family", "pits", "--hold", "never-falls")
@@ -50,7 +50,27 @@ def test_a_program_that_keeps_the_properties_passes(environment: Environment, tm
     assert not list(tmp_path.glob("*.json"))
 
 
-@pytest.mark.turns
+@pytest.mark.parametrize("name", ["my walk.hs", "it's.hs", "a$(b).hs"])
+def test_the_command_that_shows_a_failure_can_be_copied(environment: Environment, name: str, tmp_path: Path) -> None:
+    (tmp_path / name).write_text("drive:0.5 bump")
+    done = rosy(environment, "run", name, "--rooms", 1, "--hold", "never-pushes 0 s", "--seconds", 20)
+    [command] = [line.split(": ", 1)[1] for line in done.stdout.splitlines() if line.startswith("See it: ")]
+    words = shlex.split(command)
+    assert words[:4] == ["./rosy", "run", name, "--world"]
+    assert (tmp_path / words[4]).is_file()
+
+
+@pytest.mark.parametrize("language", ["en", "de", "fr", "es", "pt", "en_XA"])
+def test_the_table_of_failures_has_columns_in_every_language(
+    environment: Environment, program: Path, language: str
+) -> None:
+    told = {**environment, "LC_ALL": f"{language}.UTF-8"}
+    done = rosy(told, "run", program, "--rooms", 1, "--hold", "never-pushes 0 s", "--seconds", 20)
+    head, row = done.stdout.splitlines()[:2]
+    # The time is right-aligned in its column.
+    assert row.index(" s ") + 2 == len(head)
+
+
 def test_a_failure_gives_a_table_and_a_room_that_opens(environment: Environment, program: Path, tmp_path: Path) -> None:
     done = rosy(environment, "run", program, "--rooms", 4, "--hold", "never-pushes 0 s", "--seconds", 20)
     assert (done.returncode, done.stderr) == (3, "")
@@ -66,7 +86,6 @@ def test_a_failure_gives_a_table_and_a_room_that_opens(environment: Environment,
     assert again.returncode in (0, 3)
 
 
-@pytest.mark.turns
 def test_the_answer_does_not_depend_on_the_number_of_processes(environment: Environment, program: Path) -> None:
     test = (program, "--rooms", 6, "--seconds", 15, "--seed", 3, "--hold", "reaches-goal", "never-pushes", 1, "s")
     one, three = (told(environment, *test, "--processes", count) for count in (1, 3))
@@ -84,7 +103,6 @@ def test_the_answer_does_not_depend_on_the_number_of_processes(environment: Envi
     assert tested["passed"] == sum(passed) < 6
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(("script", "status"), [("refuse", 1), ("error@4", 2), ("close@4", 2)])
 def test_the_exit_status_tells_what_is_wrong(
     script: str, status: int, environment: Environment, tmp_path: Path
@@ -99,7 +117,6 @@ def test_the_exit_status_tells_what_is_wrong(
         assert "0 of its" in done.stdout
 
 
-@pytest.mark.turns
 def test_a_folder_of_programs_is_tested_one_by_one(environment: Environment, tmp_path: Path) -> None:
     for name, script in {"ann": "done@1", "bob": "drive:0.5", "cem": "refuse"}.items():
         (tmp_path / "class" / name).mkdir(parents=True)
@@ -110,6 +127,11 @@ def test_a_folder_of_programs_is_tested_one_by_one(environment: Environment, tmp
     assert [tested["passed"] for tested in report["programs"]] == [2, 0, 0]
     assert [len(tested["problems"]) for tested in report["programs"]] == [0, 0, 1]
     assert [path.name for path in tmp_path.glob("*.json")] == ["bob-p-smallest-room.json"]
+    _, again = told(environment, *test, "--smallest", "rooms/of class")
+    assert again["programs"][1]["smallest"]["file"] == "rooms/of class/bob-p-smallest-room.json"
+    assert (tmp_path / "rooms/of class/bob-p-smallest-room.json").is_file()
+    assert len(list(tmp_path.glob("*.json"))) == 1
+    one_sentence(rosy(environment, "run", *test, "--smallest", "class/ann/p.hs"))
 
 
 @pytest.mark.parametrize(
@@ -119,8 +141,10 @@ def test_a_folder_of_programs_is_tested_one_by_one(environment: Environment, tmp
         ["--rooms", "2", "--family", "like:atlantis"], ["--rooms", "2", "--hold", "flies"], ["--rooms", "2", "--hold"],
         ["--rooms", "2", "--hold", "covers", "0"], ["--rooms", "2", "--world", "room"],
         ["--rooms", "2", "--trace", "t"],
+        ["--rooms", "2", "--csv"],
         ["--rooms", "2", "--speed", "1"], ["--rooms", "2", "--robot", "ws://x"], ["--rooms", "2", "--processes", "0"],
         ["--rooms", "2", "--seconds", "0"], ["--family", "maze"], ["--hold", "never-falls"], ["--json"],
+        ["--smallest", "x"],
         ["--rooms", "2", "--family", "like:track", "--hold", "reaches-goal"],
     ],
 )  # fmt: skip
@@ -128,7 +152,6 @@ def test_a_bad_option_gives_one_sentence(options: list[str], here: Here, program
     one_sentence(here("run", program, *options))
 
 
-@pytest.mark.turns
 def test_an_interrupt_leaves_nothing_behind(environment: Environment, tmp_path: Path) -> None:
     (tmp_path / "p.hs").write_text("drive:0.1 hang@100")
     command = [sys.executable, "-m", "rosy_sim", "run", "p.hs", "--rooms", "50", "--processes", "2"]

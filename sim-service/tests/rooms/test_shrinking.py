@@ -2,13 +2,12 @@
 Shrinking against brute force: for planted faults no room of the family with fewer things fails.
 
 A planted fault is a drive without a program, so that thousands of rooms can be tried: its commands are a function of
-the step and of what is pressed. ``./rosy test`` runs a share of the faults that changes daily, ``nightly`` all of them.
+the step and of what is pressed.
 """
 
 from __future__ import annotations
 
 import itertools
-import os
 import random
 from collections.abc import Callable, Sequence
 from typing import Any
@@ -24,6 +23,8 @@ from rosy_sim.world.events import velocity
 from rosy_sim.world.goals import Observation
 from rosy_sim.world.properties import PropertyTracker, read_properties
 from rosy_sim.world.world import World
+
+from ..extent import SEED
 
 Drive = Callable[[int, World], tuple[float, float]]
 """The speed and turn in a step."""
@@ -69,10 +70,6 @@ SECONDS = 12
 MOST_THINGS = 7
 """Of a room that is searched by brute force."""
 
-SHARE = float(os.environ.get("ROSY_TEST_SHARE", "1"))
-SEED = int(os.environ.get("ROSY_TEST_SEED", "1"))
-CHOSEN = random.Random(SEED).sample(range(len(FAULTS)), max(2, round(SHARE * len(FAULTS))))
-
 
 def fails(room: dict[str, Any], words: str, drive: Drive) -> bool:
     arena = read_arena(room)
@@ -102,7 +99,7 @@ def failing_reduction(family: str, words: str, drive: Drive) -> Reduction:
     raise AssertionError("the fault shows nowhere")
 
 
-@pytest.mark.parametrize("index", sorted(CHOSEN))
+@pytest.mark.parametrize("index", range(len(FAULTS)))
 def test_the_smallest_failing_room_is_minimal_in_its_family(index: int) -> None:
     family, words, drive = FAULTS[index]
     reduction = failing_reduction(family, words, drive)

@@ -6,11 +6,7 @@ import asyncio
 from collections.abc import Awaitable, Callable
 from dataclasses import replace
 
-from hypothesis import given
-from hypothesis import strategies as st
-
 from rosy_sim.config import Config
-from rosy_sim.run.run_queue import RunQueue
 from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
@@ -36,7 +32,7 @@ def played(config: Config, pages: int, play: Callable[[list[Page], Service], Awa
                 for one in opening:
                     await one.__aexit__(None, None, None)
             async with asyncio.timeout(PATIENCE):
-                while service.run_queue.running:
+                while service.budgets.runs.running:
                     await asyncio.sleep(0.005)
 
     asyncio.run(tell())
@@ -55,7 +51,7 @@ def test_a_program_that_has_no_place_waits_its_turn(config: Config) -> None:
         await second.op("state", state="compiling", place=None)
         await second.op("state", state="running")
         assert (await third.op("state", state="queued"))["place"] == 1
-        assert service.run_queue.running == 1
+        assert service.budgets.runs.running == 1
         await second.send("stop")
         await third.op("state", state="running")
 
@@ -71,7 +67,7 @@ def test_a_paused_program_gives_its_place_to_another_and_waits_for_one_to_go_on(
         await second.op("state", state="queued", place=1)
         await first.send("pause")
         await second.op("state", state="running")
-        assert service.run_queue.running == 1
+        assert service.budgets.runs.running == 1
         await first.send("resume")
         await first.op("state", state="queued", place=1)
         # A pause leaves the queue.
@@ -106,7 +102,7 @@ def test_a_program_that_is_paused_at_its_start_takes_no_place_and_one_that_waits
         await first.op("state", state="queued", place=1)
         await first.send("stop")
         await first.ended(1)
-        assert service.run_queue.running == 1
+        assert service.budgets.runs.running == 1
         await first.send("run", run=2, source=DRIVE)
         await first.op("state", state="queued", place=1)
         await second.socket.close()
@@ -161,41 +157,3 @@ def test_a_program_that_is_refused_or_loses_its_worker_gives_its_place_back(conf
 
     limits = replace(config.limits, settle=0.3, runs=1)
     played(config.with_limits(limits), 1, play)
-
-
-@given(st.integers(1, 4), st.lists(st.tuples(st.sampled_from(["enter", "leave", "give up"]), st.integers(0, 9))))
-def test_there_are_never_more_inside_than_places_and_nobody_waits_for_nothing(
-    limit: int, moves: list[tuple[str, int]]
-) -> None:
-    async def tell() -> None:
-        run_queue = RunQueue(limit)
-        inside: list[int] = []
-        waiting: dict[int, asyncio.Task[None]] = {}
-        told: dict[int, int] = {}
-
-        async def come(who: int) -> None:
-            await run_queue.acquire(lambda position: told.__setitem__(who, position))
-            inside.append(who)
-            waiting.pop(who, None)
-            told.pop(who, None)
-
-        for number, (move, choice) in enumerate(moves):
-            if move == "enter":
-                waiting[number] = asyncio.create_task(come(number))
-            elif move == "leave" and inside:
-                inside.pop(choice % len(inside))
-                run_queue.release()
-            elif move == "give up" and waiting:
-                who = list(waiting)[choice % len(waiting)]
-                waiting.pop(who).cancel()
-                told.pop(who, None)
-            for _ in range(4):
-                await asyncio.sleep(0)
-            assert len(inside) <= limit
-            assert len(inside) == run_queue.running
-            assert not waiting or len(inside) == limit
-            assert [told[who] for who in waiting] == list(range(1, len(waiting) + 1))
-        for task in waiting.values():
-            task.cancel()
-
-    asyncio.run(tell())

@@ -4,9 +4,6 @@ Programs that mean harm, each from a page's Run to its end, with every layer of 
 ``rosy-hs/test-worker/attacks`` holds a program a file. In one column each is compiled before Run is pressed. In none of
 the columns may one of them read the secret file, leave a file, hit another process, or outlive its run.
 ``UPDATE_GOLDENS=1`` writes the table of what became of each.
-
-``./rosy test`` runs each program on two days of six, on one of them with all layers, and on one in another column;
-after a change of the worker or of its launcher on each day. ``./rosy test nightly`` runs each in every column.
 """
 
 from __future__ import annotations
@@ -14,6 +11,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -32,7 +30,6 @@ from rosy_sim.worker.launcher import uses_sandbox
 from rosy_sim.worker.prepared_runs import PreparedRun, PreparedRuns
 
 from ..conftest import PATIENCE as HANG
-from ..extent import SEED, TODAY, WHOLE, rotated
 from ..processes import below
 from ..web.page_client import Page, opened, serving
 
@@ -45,20 +42,14 @@ SECRET = "rosy-secret-4711"
 RECORDS = bool(os.environ.get("UPDATE_GOLDENS"))
 """Whether the table is written."""
 
-EVERYWHERE = RECORDS or WHOLE
-"""Whether each program runs in every column."""
-
-PROTECTION = ("rosy-hs/worker/", "rosy-hs/test-worker/attacks/", "sim-service/rosy_sim/worker/")
-"""Sources of what protects a machine, and of the programs that attack it."""
-
-SANDBOX_CHANGED = any(name.startswith(PROTECTION) for name in TODAY.changed)
-"""Whether what protects a machine may have changed since all tests passed."""
-
-PATIENCE = 30.0 if EVERYWHERE else 10.0
+PATIENCE = 30.0 if RECORDS else 10.0
 """How long a program may do its worst where no limit of the service ends it, s."""
 
 PREPARING = 10.0
 """How long a prepared child is waited for, s: one that takes too long to compile never waits."""
+
+ALL = 4 * HANG
+"""How long a program waits to be compiled, s: one whose work takes long comes after all others."""
 
 PAGES = 100
 """How many programs run at once: an address has a limited number of pages."""
@@ -195,9 +186,12 @@ def waiting_children() -> set[int]:
     return found
 
 
-async def become(page: Page) -> str:
-    """What becomes of a program that the page runs."""
-    last = await page.until(started_or_ended)
+async def become(page: Page, name: str) -> str:
+    """What becomes of the program of this name, which the page runs."""
+    try:
+        last = await page.until(started_or_ended, within=ALL)
+    except TimeoutError:
+        pytest.fail(f"{name} neither started nor ended: {[m for m in page.seen if m['op'] != 'frame']}")
     if last["state"] == "running":
         try:
             async with asyncio.timeout(PATIENCE):
@@ -232,7 +226,7 @@ async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dic
                 await page.send("run", run=1, source=source, speed=1, seed=1)
             elif await run_prepared(page, source, runs):
                 prepared.add(name)
-            return await become(page)
+            return await become(page, name)
 
     config = read_robot_configuration(column)
     async with serving(config) as (address, service), opened(address) as bystander:
@@ -252,7 +246,7 @@ async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dic
             assert len(prepared) * 2 >= len(compiled), f"prepared: {sorted(prepared)}"
         # Nothing is left, and no other page noticed.
         async with asyncio.timeout(HANG):
-            while service.run_queue.running or not children(before):
+            while service.budgets.runs.running or not children(before):
                 await asyncio.sleep(0.01)
         await bystander.send("check", id=1, source="main = pure ()\n")
         assert (await bystander.op("checked"))["problems"] == []
@@ -264,44 +258,37 @@ def children(before: set[int]) -> bool:
     return len(below(os.getpid())) <= len(before) + 6
 
 
-def programs_of(
-    column: int, programs: dict[str, str], seed: int = SEED, days: int = 2 if SANDBOX_CHANGED else 6
-) -> dict[str, str]:
-    """
-    The programs that run in a column today. Within ``days`` each program runs once in the first column, with all layers
-    on, and once in one of the others, which take turns.
-    """
-    names = list(programs)
-    if column == 0:
-        today = rotated(names, days, seed=seed, whole=EVERYWHERE)
-    else:
-        one_off = rotated(names, len(COLUMNS) - 1, seed=seed // days + column, whole=EVERYWHERE)
-        today = [name for name in one_off if EVERYWHERE or name in rotated(names, days, seed=seed + 1, whole=False)]
-    return {name: programs[name] for name in today}
+def repeated_lines(program: str) -> str:
+    """A program with the lines for which a line ``FROM 0 TO 9:…`` stands; ``NUMBER`` is the number of each."""
+
+    def lines(found: re.Match[str]) -> str:
+        return "".join(f"{found[3]}\n".replace("NUMBER", str(n)) for n in range(int(found[1]), int(found[2]) + 1))
+
+    return re.sub(r"^FROM (\d+) TO (\d+):(.*)\n", lines, program, flags=re.MULTILINE)
 
 
-@pytest.mark.skipif(EVERYWHERE, reason="each program runs in every column")
-@pytest.mark.parametrize("days", [2, 6])
-@pytest.mark.parametrize("first", [0, 3, 20_785])
-def test_each_program_meets_every_column_in_its_turn(days: int, first: int) -> None:
-    programs = dict.fromkeys("abcdefghijk", "")
-    met: set[tuple[str, int]] = set()
-    for seed in range(first, first + days * len(COLUMNS)):
-        met |= {(name, column) for column in range(len(COLUMNS)) for name in programs_of(column, programs, seed, days)}
-    assert len(met) == len(programs) * len(COLUMNS)
-    period = [[*programs_of(0, programs, first + day, days)] for day in range(days)]
-    assert sorted(name for day in period for name in day) == sorted(programs)
+def test_programs_of_many_lines_are_made() -> None:
+    assert repeated_lines("a\nFROM 8 TO 10:  fNUMBER = NUMBER\nb\n") == "a\n  f8 = 8\n  f9 = 9\n  f10 = 10\nb\n"
+    made = {path.stem: repeated_lines(path.read_text("utf-8")) for path in ATTACKS.glob("*.hs")}
+    assert sum(program.count("\n") > 1500 for program in made.values()) == 5
+    assert not any("NUMBER" in program for program in made.values())
 
 
-def harmless(number: int, column: Column) -> dict[str, str]:
-    """What became of each of the programs that run in this column; fails if one did harm or left a process."""
-    programs = {path.stem: path.read_text("utf-8") for path in sorted(ATTACKS.glob("*.hs"))}
+def test_the_table_names_each_program_once() -> None:
+    rows = re.findall(r"^\| ([a-z][^|]*) \| \w", (ATTACKS / "README.md").read_text("utf-8"), re.MULTILINE)
+    named = [name for row in rows if row != "programs" for name in row.split(", ")]
+    assert sorted(named) == sorted(path.stem for path in ATTACKS.glob("*.hs"))
+
+
+def harmless(column: Column) -> dict[str, str]:
+    """What became of each program in this column; fails if one did harm or left a process."""
+    programs = {path.stem: repeated_lines(path.read_text("utf-8")) for path in sorted(ATTACKS.glob("*.hs"))}
     assert len(programs) >= 250
     left = below(os.getpid())
     if column.sandbox and not uses_sandbox(read_robot_configuration(column)):
         pytest.skip("this machine cannot build the sandbox")
     with target() as aimed:
-        outcomes = asyncio.run(attack(column, programs_of(number, programs), aimed))
+        outcomes = asyncio.run(attack(column, programs, aimed))
         assert aimed.unharmed(), f"{column.title}: one hit a process or changed a file"
     with contextlib.suppress(ChildProcessError):
         os.waitpid(-1, os.WNOHANG)
@@ -315,8 +302,8 @@ if RECORDS:
     def test_the_table_of_what_became_of_each_is_written() -> None:
         columns = [*COLUMNS, *SINGLE_LIMITS]
         table: dict[str, list[str]] = {path.stem: [] for path in sorted(ATTACKS.glob("*.hs"))}
-        for number, column in enumerate(columns):
-            outcomes = harmless(number, column)
+        for column in columns:
+            outcomes = harmless(column)
             for name, row in table.items():
                 row.append(outcomes[name])
         (ATTACKS / "README.md").write_text(show(table, columns), "utf-8")
@@ -324,9 +311,9 @@ if RECORDS:
 else:
 
     @pytest.mark.long
-    @pytest.mark.parametrize("number", range(len(COLUMNS)), ids=[column.title for column in COLUMNS])
-    def test_no_program_does_harm_whichever_layer_is_missing(number: int) -> None:
-        outcomes = harmless(number, COLUMNS[number])
+    @pytest.mark.parametrize("column", COLUMNS, ids=[column.title for column in COLUMNS])
+    def test_no_program_does_harm_whichever_layer_is_missing(column: Column) -> None:
+        outcomes = harmless(column)
         for name, outcome in outcomes.items():
             print(f"{name}: {outcome}")
 
@@ -334,6 +321,7 @@ else:
 HEADING = """# Programs that mean harm
 
 **In:** a program a file; `CANARY` stands for a secret file, `TARGET` for a file to make, `VICTIM` for a process to hit.
+A line `FROM 0 TO 9:…` stands for ten lines, in which `NUMBER` is 0 to 9.
 **Out:** this table, written by `sim-service/tests/system/test_attacks.py`.
 **Never:** edited by hand: run that test with `UPDATE_GOLDENS=1`.
 
@@ -342,11 +330,16 @@ compiled before Run was pressed, by a child that waited (what has a mistake is n
 *denied*: the system refused what it asked for. *exception*: Haskell's own error ended it, as a refused system call
 does. *memory*, *time*: a limit ended it. *stuck*: the service ended it, because it did not answer. *died*: it ended
 itself, or was killed for what it called. *broken-link*, *too-much*: it sent what no program may send. *endless*:
-nothing ended it but the page's leaving. *ran*: it did what it wanted to, which was harmless.
+nothing ended it but the page's leaving. *ran*: it did what it wanted to, which was harmless. An empty cell: as with
+all layers.
 """
 
 
 def show(table: dict[str, list[str]], columns: list[Column]) -> str:
+    """A row for all programs that came to the same ends; a cell is empty where the end is that of the first column."""
     titles = " | ".join(column.title for column in columns)
-    rows = "\n".join(f"| {name} | {' | '.join(row)} |" for name, row in table.items())
-    return f"{HEADING}\n| program | {titles} |\n|---|{'---|' * len(columns)}\n{rows}\n"
+    together = defaultdict[tuple[str, ...], list[str]](list)
+    for name, row in table.items():
+        together[row[0], *(end if end != row[0] else "" for end in row[1:])].append(name)
+    rows = "\n".join(f"| {', '.join(names)} | {' | '.join(row)} |" for row, names in together.items())
+    return f"{HEADING}\n| programs | {titles} |\n|---|{'---|' * len(columns)}\n{rows}\n"

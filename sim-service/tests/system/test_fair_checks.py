@@ -1,6 +1,6 @@
 """
 One page's compile bombs beside the checks of other pages, with the real worker: the others' checks are all answered,
-and how long they took is printed. ``tests/worker/test_question_scheduler.py`` has the turns without a clock.
+and how long they took is printed. ``tests/accounting/test_fair_queue.py`` has the turns without a clock.
 """
 
 from __future__ import annotations

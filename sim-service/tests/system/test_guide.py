@@ -18,6 +18,7 @@ from pathlib import Path
 
 import pytest
 
+from rosy_sim.classroom.exports.written_tests import read_key
 from rosy_sim.config import discover
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.worlds.gallery import named_world
@@ -49,20 +50,25 @@ class Block:
 
 
 def pages() -> list[str]:
-    """The Markdown files of the guide."""
+    """The Markdown files of the guide; made pages hold programs that ``test_lessons.py`` runs."""
     contents = json.loads((ROOT / "docs" / "contents.json").read_text("utf-8"))
-    return [page["file"] for chapter in contents["chapters"] for page in chapter["pages"]]
+    return [page["file"] for chapter in contents["chapters"] for page in chapter["pages"] if "file" in page]
 
 
 def blocks() -> list[Block]:
-    """The programs of all pages."""
+    """The programs of all pages, and of the written tests, by the number of their question."""
     found = []
     for page in pages():
         text = (ROOT / page).read_text("utf-8")
         for match in BLOCK.finditer(text):
             said = match[3].splitlines() if match[3] is not None else None
             found.append(Block(page, text.count("\n", 0, match.start()) + 1, match[1].split(), match[2], said))
-    return found
+    return found + [
+        Block(f"test {name}", number, [], question.program, None)
+        for name, questions in read_key(ROOT / "examples" / "written-tests.json").items()
+        for number, question in enumerate(questions, 1)
+        if question.program is not None
+    ]
 
 
 BLOCKS = blocks()
@@ -81,7 +87,6 @@ def test_no_block_is_left_out() -> None:
         assert text.count("```says") == sum(block.page == page and block.said is not None for block in BLOCKS), page
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("block", BLOCKS, ids=lambda block: f"{block.page}:{block.line}")
 def test_a_program_of_the_guide_does_what_its_page_says(block: Block, worker: BlockingWorker, tmp_path: Path) -> None:
     if "package" in block.words:

@@ -81,7 +81,6 @@ def shown(text: str) -> str:
 
 
 @pytest.mark.long
-@pytest.mark.turns
 def test_every_difference_has_a_reason(worker: BlockingWorker, answers_of_ghc: dict[str, str]) -> None:
     answers = [(idiom, answer_of_rosy(worker, idiom), answers_of_ghc[idiom.name]) for idiom in IDIOMS]
     table = "\n".join(

@@ -325,7 +325,6 @@ main = simulate (emergency,mode,walk)
 ]
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("listing", LISTINGS, ids=lambda listing: listing.name)
 def test_a_listing_runs_as_typed(worker: BlockingWorker, listing: Listing) -> None:
     run = ran(worker, listing.typed, listing.seconds, *listing.hands, world=named_world(listing.room))

@@ -75,13 +75,18 @@ CENTIMETRE, DEGREE = 0.01, math.radians(1)
         ("turn 720", 0, 0, 720),
         ("turn 90 >> drive 50", 0, 0.5, 90),
         ("replicateM_ 4 (drive 50 >> turn 90)", 0, 0, 360),
+        ("goTo 1 0", 1, 0, 0),
+        ("goTo 0 (-1)", 0, -1, None),
+        ("goTo (-1) 0", -1, 0, None),
+        ("goTo 0 0", 0, 0, 0),
+        ("turn 90 >> drive 50 >> goTo 0 0", 0, 0, None),
         ("race (wait 1) (drive 500) >> wait 1 >> drive 0", None, 0, 0),
         ("drive 20 >> beep >> blink Orange >> drive 20", 0.4, 0, 0),
         ("driveUntil (\\(Button _ _) -> Done ()) >> turn 90", 0.19, 0, 90),
     ],
 )
 def test_ready_made_tasks_are_accurate(
-    worker: BlockingWorker, steps: str, x: float | None, y: float, theta: float
+    worker: BlockingWorker, steps: str, x: float | None, y: float, theta: float | None
 ) -> None:
     run = ran(worker, f"main = simulate ({steps})\n", 60, (1.0, Press(0, True)))
     first, world = run.lines[0], run.rest()
@@ -90,7 +95,8 @@ def test_ready_made_tasks_are_accurate(
     if x is not None:
         assert world.x - first["x"] == pytest.approx(x, abs=CENTIMETRE)
     assert world.y - first["y"] == pytest.approx(y, abs=CENTIMETRE)
-    assert world.theta - first["theta"] == pytest.approx(math.radians(theta), abs=DEGREE)
+    if theta is not None:
+        assert world.theta - first["theta"] == pytest.approx(math.radians(theta), abs=DEGREE)
 
 
 def test_drive_until_bump_gives_the_side_and_stands(worker: BlockingWorker) -> None:

@@ -86,7 +86,6 @@ STORIES: dict[str, Callable[[Robot], Awaitable[None]]] = {
 }
 
 
-@pytest.mark.turns
 def test_the_papers_programs_drive_a_base_on_ros(tmp_path: Path) -> None:
     async def play() -> None:
         async with rospy(tmp_path) as robot:

@@ -54,7 +54,6 @@ def preview(worker: BlockingWorker, name: str, seed: int, source: str = "", limi
     return found
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_a_preview_is_the_run_with_the_same_inputs(worker: BlockingWorker, name: str) -> None:
     seed = 3

@@ -49,7 +49,6 @@ def test_each_run_has_its_own_output(worker: BlockingWorker) -> None:
     assert ran(worker, 'main = simulate (say "b")', seconds=0.1).said == ["b"]
 
 
-@pytest.mark.turns
 def test_what_fails_after_simulate_is_a_problem(worker: BlockingWorker) -> None:
     run = ran(worker, 'main = do { simulate (say "run"); error "broken" }', seconds=1.0)
     assert run.outcome.ended == "error"

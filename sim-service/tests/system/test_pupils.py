@@ -60,7 +60,6 @@ def worker() -> Iterator[BlockingWorker]:
     yield from worker_started()
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("name", sorted(path.stem for path in PUPILS.glob("*.hs")))
 def test_it_means_what_it_means_in_haskell(name: str, worker: BlockingWorker) -> None:
     source = (PUPILS / f"{name}.hs").read_text("utf-8")

@@ -104,7 +104,6 @@ def ran(worker: BlockingWorker, source: str, world: dict[str, Any], *, skips: bo
     return (outcome.ended, outcome.problems, outcome.goals, outcome.steps, trace.getvalue(), said, pose), asked
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("name", EXAMPLES)
 def test_an_example_leaves_the_same_trace_with_quiet_steps_as_without(worker: BlockingWorker, name: str) -> None:
     source, world = program(name)

@@ -7,7 +7,7 @@ import re
 from rosy_sim.config import discover
 
 ROOT = discover().root
-TABLES = ROOT / "rosy-hs" / "test" / "README.md"
+TABLES = ROOT / "rosy-hs" / "test" / "coverage.md"
 GALLERY = ROOT / "rosy-hs" / "test-worker" / "gallery"
 
 

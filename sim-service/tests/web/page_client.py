@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import json
 import socket
 from collections.abc import AsyncIterator, Awaitable, Callable
@@ -11,6 +12,7 @@ from typing import Any
 
 import uvicorn
 from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
 
 from rosy_sim.classroom.store.class_store import ClassStore
 from rosy_sim.config import Config
@@ -33,15 +35,58 @@ class Page:
         self.channels: Message = {}
         self.socket = socket
         self.seen: list[Message] = []
+        # The number of the latest answer to a heartbeat.
+        self.answered = 0
+        # What was received while nobody waited for it; None while it is read on demand.
+        self._received: asyncio.Queue[str | bytes | Exception] | None = None
+        self._turn = asyncio.Lock()
+        self._looking = 0
 
     async def send(self, op: str, **fields: Any) -> None:
         await self.socket.send(json.dumps({"op": op, **fields}))
 
-    async def until(self, wanted: Callable[[Message], bool]) -> Message:
-        """The next message that fits."""
-        async with asyncio.timeout(PATIENCE):
+    async def look(self) -> None:
+        """Say that a person looks at the robot, ten times a second, and read as a page does, all the time."""
+        received = self._received = self._received or asyncio.Queue()
+        self._looking += 1
+
+        async def read() -> None:
+            try:
+                while True:
+                    async with self._turn:
+                        text = await self.socket.recv()
+                    message = json.loads(text)
+                    if message["op"] == "seen":
+                        self.answered = message["number"]
+                    received.put_nowait(text)
+            except (ConnectionClosed, OSError) as ended:
+                received.put_nowait(ended)
+
+        reading = asyncio.create_task(read())
+        try:
             while True:
-                message: Message = json.loads(await self.socket.recv())
+                await self.send("alive", seen=self.answered)
+                await asyncio.sleep(0.1)
+        finally:
+            self._looking -= 1
+            reading.cancel()
+            with contextlib.suppress(asyncio.CancelledError):
+                await reading
+
+    async def _receive(self) -> str | bytes:
+        if self._received is not None and not (self._received.empty() and self._looking == 0):
+            text = await self._received.get()
+            if isinstance(text, Exception):
+                raise text
+            return text
+        async with self._turn:
+            return await self.socket.recv()
+
+    async def until(self, wanted: Callable[[Message], bool], within: float = PATIENCE) -> Message:
+        """The next message that fits, waited for at most ``within`` s."""
+        async with asyncio.timeout(within):
+            while True:
+                message: Message = json.loads(await self._receive())
                 if message["op"] == "frame":
                     # What has not changed is not told again.
                     if message["run"] != self.run:

@@ -7,6 +7,7 @@ import gc
 import json
 import weakref
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -15,6 +16,7 @@ import pytest
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 
 from rosy_sim.config import Config
+from rosy_sim.version import VERSION
 from rosy_sim.web.service import Service
 
 from ..conftest import PATIENCE
@@ -95,6 +97,24 @@ def test_a_dead_worker_is_replaced_and_pages_are_told(config: Config) -> None:
     story(play, config)
 
 
+def test_pages_are_told_once_why_no_worker_can_start_and_runs_end_with_it(config: Config, tmp_path: Path) -> None:
+    executable = tmp_path / "worker"
+    executable.write_text("#!/bin/sh\necho a library is missing >&2\n")
+    executable.chmod(0o755)
+
+    async def play(page: Page, _: Service) -> None:
+        failed = await page.op("worker", state="failed")
+        assert "cannot start on this computer" in failed["message"]
+        assert failed["sentences"]["message"]["arguments"]["why"] == "a library is missing"
+        await page.send("run", run=1, source="")
+        (problem,) = (await page.op("state", state="ended"))["problems"]
+        assert (problem["kind"], problem["message"]) == ("worker-failed", failed["message"])
+        await page.send("check", id=1, source="")
+        assert (await page.op("refusal"))["hint"] == failed["message"]
+
+    story(play, replace(config, worker=(str(executable),)))
+
+
 GARBAGE: list[str | bytes] = [
     "", "{", "null", "[]", "{}", '{"op":1}', '{"op":"fly"}', '{"op":"run"}', '{"op":"run","run":"x","source":1}',
     '{"op":"speed","speed":-1}', '{"op":"speed","speed":"fast"}', '{"op":"input","press":"Button9"}', "[" * 100_000,
@@ -114,7 +134,6 @@ def test_garbage_is_refused_and_changes_nothing(config: Config) -> None:
     story(play, config)
 
 
-@pytest.mark.turns
 def test_a_page_that_reads_nothing_is_let_go_and_harms_nobody(config: Config) -> None:
     config = config.with_limits(replace(config.limits, page_queue=50))
 
@@ -206,7 +225,6 @@ def test_a_room_of_too_many_movable_things_is_refused_before_it_is_built(
     story(play, config)
 
 
-@pytest.mark.turns
 def test_a_room_that_takes_long_to_build_is_built_while_others_are_served(config: Config) -> None:
     side = 120
     rows = ["".join("#" if (x + y) % 2 and (x > 9 or y > 9) else "." for x in range(side)) for y in range(side)]
@@ -330,6 +348,7 @@ def test_the_http_api(config: Config) -> None:
             embedded = await client.get("/embed")
             assert (embedded.status_code, embedded.headers["location"]) == (307, "./?embed")
             health = (await client.get("/api/health")).json()
+            assert health["version"] == VERSION
             assert (health["worker"], health["sessions"]) == (service.worker.state, 0)
             assert (await client.get("/api-docs/Rosy.html")).text == "wait"
             assert (await client.get("/api-docs/")).text == "index"

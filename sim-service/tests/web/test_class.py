@@ -8,6 +8,7 @@ import json
 import zipfile
 from collections.abc import AsyncIterator, Awaitable, Callable
 from contextlib import AsyncExitStack, asynccontextmanager
+from dataclasses import replace
 from typing import Any
 
 import httpx
@@ -15,8 +16,11 @@ import pytest
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import InvalidStatus
 
+from rosy_sim.classroom import authentication
 from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.config import Config
+from rosy_sim.web.service import Service
+from rosy_sim.web.sockets import class_connection
 
 from ..conftest import PATIENCE, UNHURRIED
 from .page_client import serving
@@ -47,15 +51,16 @@ class Client:
 class Class:
     """A running class."""
 
-    def __init__(self, address: str, code: str, key: str, stack: AsyncExitStack) -> None:
+    def __init__(self, address: str, code: str, key: str, stack: AsyncExitStack, service: Service) -> None:
         self.address = address
+        self.service = service
         self.code = code
         self.key = key
         self._stack = stack
 
-    async def open(self, path: str = "class") -> Client:
+    async def open(self, path: str = "class", **options: Any) -> Client:
         url = f"ws://{self.address}/api/{path}"
-        return Client(await self._stack.enter_async_context(connect(url, **UNHURRIED)))
+        return Client(await self._stack.enter_async_context(connect(url, **{**UNHURRIED, **options})))
 
     async def pupil(self, nickname: str) -> tuple[Client, Message]:
         client = await self.open()
@@ -74,8 +79,8 @@ async def teaching(config: Config) -> AsyncIterator[Class]:
     """A class, in whose folder an earlier one may have left its store."""
     with open_class(config.classes, "7b") as store:
         admission = store.admission()
-        async with serving(config, store) as (address, _), AsyncExitStack() as stack:
-            yield Class(address, admission.code, admission.teacher_key, stack)
+        async with serving(config, store) as (address, service), AsyncExitStack() as stack:
+            yield Class(address, admission.code, admission.teacher_key, stack, service)
 
 
 def in_class(config: Config, lesson: Callable[[Class], Awaitable[None]]) -> None:
@@ -90,6 +95,55 @@ async def save(client: Client, text: str, base: int = 0, **more: Any) -> Message
     request = {"program": "p", "name": "walk", "reason": "change", "mark": f"m{len(text)}", "base": base, **more}
     await client.send("save", text=text, **request)
     return await client.op("saved", "conflict", "unsaved", "refused")
+
+
+def test_a_class_is_named_before_anything_else_by_an_identifier_that_stays(config: Config) -> None:
+    found: list[str] = []
+
+    async def lesson(opened: Class) -> None:
+        first = json.loads(await (await opened.open()).socket.recv())
+        assert first["op"] == "class"
+        assert opened.code not in first["id"]
+        found.append(first["id"])
+
+    in_class(config, lesson)
+    in_class(config, lesson)
+    in_class(replace(config, classes=config.classes / "elsewhere"), lesson)
+    first, again, other = found
+    assert first == again != other
+
+
+def test_progress_in_lessons_is_of_the_pupil_on_every_device_and_on_the_board(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("=Ada")
+        ben, _ = await opened.pupil("Ben")
+        assert entered["progress"] == {}
+        board = await opened.board()
+        bump = {"lesson": "bump", "title": "Bump!", "steps": 5}
+        await ada.send("progress", **bump, done=["guess", "run"])
+        await ada.send("progress", **bump, done=["make"])
+        shown = await board.op("lessons", such=lambda m: bool(m["lessons"]) and m["lessons"][0][3] == 3)
+        assert shown["lessons"] == [[entered["pupil"], "bump", "Bump!", 3, 5]]
+        again = await opened.open()
+        await again.send("resume", code=opened.code, words=entered["words"])
+        assert (await again.op("entered"))["progress"] == {"bump": ["guess", "run", "make"]}
+        async with httpx.AsyncClient(base_url=f"http://{opened.address}", timeout=PATIENCE) as http:
+            answer = await http.get("/api/class-backup", headers={"X-Rosy-Key": opened.key})
+        with zipfile.ZipFile(io.BytesIO(answer.content)) as archive:
+            table = archive.read("lessons.csv").decode("utf-8-sig").splitlines()
+        assert table == ['"pupil","Bump!"', '"\'=Ada","3 of 5"', '"Ben",""']
+        words.append(entered["words"])
+        await ben.send("progress", **bump, done=["x"] * 101)
+        assert (await ben.op("refused"))["reason"] == "request"
+
+    async def next_day(opened: Class) -> None:
+        ada = await opened.open()
+        await ada.send("resume", code=opened.code, words=words[0])
+        assert (await ada.op("entered"))["progress"] == {"bump": ["guess", "run", "make"]}
+
+    words: list[str] = []
+    in_class(config, lesson)
+    in_class(config, next_day)
 
 
 def test_a_pupil_continues_on_another_device_with_three_words(config: Config) -> None:
@@ -226,10 +280,61 @@ def test_guessing_is_limited_and_those_who_know_the_code_still_enter(config: Con
             reasons.append((await guesser.op("refused"))["reason"])
         assert reasons[:9] == ["code"] * 9
         assert reasons[-1] == "attempts"
-        board = await opened.open("board")
-        await board.send("unlock", key=opened.key)
-        assert (await board.op("refused"))["reason"] == "attempts"
         assert entered["nickname"] == "Ada"
+
+    in_class(config, lesson)
+
+
+def test_the_right_key_enters_however_many_wrong_ones_were_tried(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        _, entered = await opened.pupil("Ada")
+        guessers = [await opened.open("board"), await opened.open("projector"), await opened.open("board")]
+        for n in range(15):
+            for guesser in guessers:
+                await guesser.send("unlock", key=f"wrong {n}")
+                last = await guesser.op("refused")
+        assert last["reason"] == "attempts"
+        await opened.board()
+        # A device that has been in the class is let in as well.
+        page = await opened.open()
+        await page.send("enter", token=entered["token"])
+        assert (await page.op("entered", "refused"))["op"] == "entered"
+
+    in_class(config, lesson)
+
+
+@pytest.mark.parametrize("path", ["board", "projector"])
+def test_boards_without_the_key_take_no_place_from_one_that_has_it(config: Config, path: str) -> None:
+    async def lesson(opened: Class) -> None:
+        teacher = await opened.board()
+        silent = [await opened.open(path) for _ in range(15)]
+        # Each newcomer takes the place of the oldest that gave no key.
+        async with asyncio.timeout(PATIENCE):
+            for client in silent[:5]:
+                await client.socket.wait_closed()
+        assert all(client.socket.close_code is None for client in silent[5:])
+        await opened.board()
+        await teacher.send("attention", message="Eyes up!")
+        await opened.pupil("Ada")
+        await teacher.op("pupils", such=lambda m: bool(m["pupils"]))
+
+    in_class(config, lesson)
+
+
+@pytest.mark.parametrize("path", ["board", "projector"])
+def test_a_board_that_gives_no_key_is_closed_and_one_that_gave_it_stays(
+    config: Config, path: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    async def lesson(opened: Class) -> None:
+        teacher = await opened.board()
+        # The teacher's board has given its key, however slow the machine is.
+        monkeypatch.setattr(class_connection, "LOCKED_SECONDS", 0.05)
+        silent = await opened.open(path)
+        async with asyncio.timeout(PATIENCE):
+            await silent.socket.wait_closed()
+        assert silent.socket.close_code == 1008
+        await opened.pupil("Ada")
+        await teacher.op("pupils", such=lambda m: bool(m["pupils"]))
 
     in_class(config, lesson)
 
@@ -479,7 +584,7 @@ def test_requests_of_pupils_boards_and_projectors_wait_for_the_turn_of_their_add
         with open_class(config.classes, "7b") as store:
             admission = store.admission()
             async with serving(config, store) as (address, service), AsyncExitStack() as stack:
-                opened = Class(address, admission.code, admission.teacher_key, stack)
+                opened = Class(address, admission.code, admission.teacher_key, stack, service)
                 pupil, board, projector = [await opened.open(path) for path in ("class", "board", "projector")]
                 # A message of a page that takes long.
                 await service.loop_scheduler.begin("192.0.2.1")
@@ -495,3 +600,25 @@ def test_requests_of_pupils_boards_and_projectors_wait_for_the_turn_of_their_add
                 assert [(await answer)["op"] for answer in answers] == ["entered", "board", "projected"]
 
     asyncio.run(run())
+
+
+def test_an_address_that_joins_again_and_again_does_not_fill_the_class(
+    config: Config, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(authentication, "JOINS_EACH", 3)
+
+    async def lesson(opened: Class) -> None:
+        async def join(nickname: str, **options: Any) -> Message:
+            client = await opened.open(**options)
+            await client.send("join", code=opened.code, nickname=nickname, language="en")
+            return await client.op("entered", "refused")
+
+        # One that is not let in does not count.
+        answers = [await join(nickname) for nickname in ("Ada", "Ada", "Ben", "Cleo", "Dan")]
+        assert [answer.get("reason") for answer in answers] == [None, "taken", None, None, "joins"]
+        assert (await join("Eve", local_addr=("127.0.0.2", 0)))["op"] == "entered"
+        again = await opened.open()
+        await again.send("resume", code=opened.code, words=answers[0]["words"])
+        assert (await again.op("entered", "refused"))["op"] == "entered"
+
+    in_class(config, lesson)

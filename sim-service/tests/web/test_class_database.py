@@ -41,10 +41,9 @@ async def taught_on(url: str, config: Config) -> AsyncIterator[tuple[Class, Clas
             assert service.classroom is not None
             # A server that is away is away at once.
             service.classroom._store._patience = 0.0
-            yield Class(address, admission.code, admission.teacher_key, stack), store
+            yield Class(address, admission.code, admission.teacher_key, stack, service), store
 
 
-@pytest.mark.turns
 @needs_postgresql
 def test_what_is_told_as_saved_is_in_the_database_also_when_it_was_away(config: Config) -> None:
     async def lesson(restarted: PostgresqlServer) -> None:
@@ -79,7 +78,6 @@ def test_what_is_told_as_saved_is_in_the_database_also_when_it_was_away(config: 
         asyncio.run(lesson(restarted))
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("kind", ["sqlite", pytest.param("postgresql", marks=needs_postgresql)])
 def test_on_a_full_disk_nothing_is_told_as_saved_and_it_is_sent_again(
     config: Config, tmp_path: Path, kind: str, request: pytest.FixtureRequest

@@ -8,6 +8,8 @@ import io
 import json
 import time
 import zipfile
+from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import httpx
@@ -163,7 +165,7 @@ def test_a_class_without_a_task_shows_none(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         ada, _ = await opened.pupil("Ada")
         await save(ada, "one")
-        assert [message["op"] for message in ada.seen] == ["entered", "saved"]
+        assert [message["op"] for message in ada.seen] == ["class", "entered", "saved"]
 
     in_class(config, lesson)
 
@@ -238,7 +240,6 @@ async def three_hand_ins(opened: Class, board: Client) -> list[tuple[Client, int
     return pupils
 
 
-@pytest.mark.turns
 def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: Config) -> None:
     async def run() -> None:
         async with teaching(config) as opened:
@@ -307,7 +308,6 @@ def test_the_board_checks_all_hand_ins_in_rooms_and_opens_the_worst_one(config: 
     asyncio.run(run())
 
 
-@pytest.mark.turns
 def test_a_check_is_the_report_of_the_command_line(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()
@@ -331,7 +331,42 @@ def test_a_check_is_the_report_of_the_command_line(config: Config) -> None:
     in_class(config, lesson)
 
 
-@pytest.mark.turns
+def test_a_hand_in_of_a_lesson_is_checked_as_the_lesson_checks_it(config: Config) -> None:
+    """The ring of the first lesson is reached at 0.4 m/s and not at 0.2; a program of no lesson has no such check."""
+    sources = {"Ada": "drive:0.4", "Ben": "drive:0.2", "Cleo": "refuse", "Dora": "drive:0.4"}
+
+    async def lesson(opened: Class) -> None:
+        board = await opened.board()
+        await board.send("open-task", title="Ring")
+        pupils = {}
+        for nickname, source in sources.items():
+            client, entered = await opened.pupil(nickname)
+            await own_tasks(client, opened=True)
+            room = {"name": "lesson hello-robot", "size": [5, 3]} if nickname != "Dora" else "room"
+            await hand_in(client, json.dumps({"rosy": 1, "name": "ring", "haskell": source, "world": room}))
+            pupils[nickname] = entered["pupil"]
+        task = await handed_in(board, 4)
+        assert [one["lesson"] for one in task["handed_in"]] == ["hello-robot"] * 3 + [""]
+        await board.send("show-results", task=1)
+        await board.send("check-all", **{**CHECK, "family": "lesson", "rooms": 1, "properties": ""})
+        all_found = await results(board, 4)
+        found = {nickname: all_found[pupil] for nickname, pupil in pupils.items()}
+        assert {nickname: one["fault"] for nickname, one in found.items()} == {
+            "Ada": None,
+            "Ben": None,
+            "Cleo": "compile",
+            "Dora": "lesson",
+        }
+        assert found["Ada"]["passed"] == found["Ada"]["rooms"]
+        assert found["Ada"]["unmet"] == []
+        assert found["Ben"]["passed"] == 0
+        [unmet] = found["Ben"]["unmet"]
+        assert "ring" in unmet["en"]
+        assert "Ring" in unmet["de"]
+
+    in_class(replace(config, examples=Path(__file__).resolve().parents[3] / "examples"), lesson)
+
+
 def test_a_check_is_cancelled_and_leaves_no_process(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()
@@ -391,7 +426,6 @@ def test_a_hand_in_whose_room_cannot_be_used_is_named_and_the_others_are_checked
     in_class(config, lesson)
 
 
-@pytest.mark.turns
 def test_a_pupil_reaches_no_result(config: Config) -> None:
     async def lesson(opened: Class) -> None:
         board = await opened.board()

@@ -86,7 +86,6 @@ def diverged(page: Page, run: int) -> list[float]:
     return [m["time"] for m in page.seen if m["op"] == "diverged" and m["run"] == run]
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("seed", range(4))
 def test_an_unchanged_program_with_the_same_hands_goes_on_exactly_as_before(seed: int, config: Config) -> None:
     source, hands = generated(seed)
@@ -208,7 +207,6 @@ LATE_CHANGES = ("", " say:hi@{at}", " led:2@{at}", " sound:4@{at}", " bump", " d
 """Changes of a program that show late or at once. Of two equal words of a script the last one counts."""
 
 
-@pytest.mark.turns
 @settings(max_examples=6, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.integers(0, 10_000), st.sampled_from(LATE_CHANGES), st.integers(0, STEPS - 1), st.integers(1, STEPS - 1))
 def test_a_branch_is_the_run_of_the_changed_program_with_the_same_hands(

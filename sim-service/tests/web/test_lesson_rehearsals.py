@@ -70,7 +70,6 @@ def test_a_bad_request_is_refused_with_a_sentence(changed: Message, config: Conf
     assert answer["message"]
 
 
-@pytest.mark.turns
 def test_rehearsals_end_with_their_socket_and_leave_nothing(config: Config) -> None:
     hanging = {**REQUEST, "attempts": [{"source": "mute", "step": STEP}]}
 

@@ -28,7 +28,6 @@ def test_a_program_drives_into_the_wall_and_presses_the_bumper(config: Config) -
     story(play, config)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(
     ("source", "ended", "kind"),
     [

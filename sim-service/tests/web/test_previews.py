@@ -42,7 +42,6 @@ def test_a_preview_has_path_pose_and_collisions(config: Config) -> None:
     story(play, config)
 
 
-@pytest.mark.turns
 def test_a_preview_repeats_seed_and_hands_of_the_last_run(config: Config) -> None:
     """Hands come at any moment, also in the middle of a step."""
     source = "drive:0.3 turn:0.4 bump done@400"
@@ -81,7 +80,6 @@ def test_a_preview_repeats_seed_and_hands_of_the_last_run(config: Config) -> Non
     story(play, config)
 
 
-@pytest.mark.turns
 def test_a_run_with_more_hands_than_are_recorded_has_no_preview(
     config: Config, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -109,13 +107,13 @@ def test_the_newest_request_wins_at_once(config: Config) -> None:
             await page.send("preview", id=ident, source=source, seconds=SECONDS)
         await page.op("previewed", id=5)
         assert [m["id"] for m in page.seen if m["op"] == "previewed"] == [1, 5]
-        assert service.previews.processes == 1
+        # Beside the process of the answer at most one, which may still be ending what was cancelled.
+        assert service.previews.processes <= 2
 
     # A program that hangs would be waited for much longer than the test.
     story(play, config)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize(("source", "ended", "kinds"), [
     ("refuse", "refused", ["type-mismatch"]), ("drive:0.5 error@40", "error", ["exception"]),
     ("close@40", "error", ["died"]), ("drive:0.5 done@50", "done", []), ("hang@9", "stuck", ["stuck"]),

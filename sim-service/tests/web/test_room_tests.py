@@ -104,7 +104,6 @@ def test_a_bad_request_is_refused_with_a_sentence(changed: Message, config: Conf
     assert answer["message"]
 
 
-@pytest.mark.turns
 def test_a_test_ends_with_its_socket_or_its_page_and_leaves_nothing(config: Config) -> None:
     async def play() -> None:
         async with serving(config) as (address, service):

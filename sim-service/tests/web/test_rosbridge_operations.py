@@ -362,3 +362,58 @@ def test_services_of_clients_are_listed(bridge: RosBridge) -> None:
     peer.say(op="advertise_service", service="/add", type="my_srvs/Add")
     assert ask(peer, "service_type", service="/add") == {"type": "my_srvs/Add"}
     assert "/add" in ask(peer, "services")["services"]
+
+
+# Topics of clients
+
+
+@pytest.mark.parametrize("how", ["unadvertise", "leave"])
+def test_a_topic_of_clients_ends_with_its_last_one_and_may_have_another_type(bridge: RosBridge, how: str) -> None:
+    one, two = Peer(bridge), Peer(bridge)
+    assert one.say(op="advertise", topic="/mine", type="std_msgs/String") == []
+    assert two.say(op="subscribe", topic="/mine", type="std_msgs/String") == []
+    if how == "leave":
+        bridge.leave(one.client)
+    else:
+        one.say(op="unadvertise", topic="/mine")
+    # The other client still has it.
+    assert Peer(bridge).say(op="subscribe", topic="/mine", type="std_msgs/Int32")[0]["level"] == "error"
+    two.say(op="unsubscribe", topic="/mine")
+    assert two.say(op="subscribe", topic="/mine", type="std_msgs/Int32") == []
+
+
+def test_topics_can_be_named_without_end_one_after_another(bridge: RosBridge) -> None:
+    peer = Peer(bridge)
+    for n in range(3 * MAX_SUBSCRIPTIONS):
+        assert peer.say(op="advertise", topic=f"/mine{n}", type="std_msgs/String") == []
+        peer.say(op="unadvertise", topic=f"/mine{n}")
+
+
+@pytest.mark.parametrize("on", ["advertise", "publish"])
+def test_a_latched_topic_of_a_client_gives_its_last_message_to_who_comes_later(bridge: RosBridge, on: str) -> None:
+    sender = Peer(bridge)
+    sender.say(op="advertise", topic="/mine", type="std_msgs/String", latch=on == "advertise")
+    for text in ("old", "new"):
+        sender.say(op="publish", topic="/mine", msg={"data": text}, **({"latch": True} if on == "publish" else {}))
+    later = Peer(bridge)
+    got = later.say(op="subscribe", topic="/mine", type="std_msgs/String")
+    assert got == [{"op": "publish", "topic": "/mine", "msg": {"data": "new"}}]
+
+
+def test_a_topic_that_is_not_latched_gives_nothing_old(bridge: RosBridge) -> None:
+    sender = Peer(bridge)
+    sender.say(op="advertise", topic="/mine", type="std_msgs/String")
+    sender.say(op="publish", topic="/mine", msg={"data": "old"})
+    assert Peer(bridge).say(op="subscribe", topic="/mine", type="std_msgs/String") == []
+
+
+def test_a_fragmented_message_may_contain_the_word_fragment_and_be_none(bridge: RosBridge) -> None:
+    peer = Peer(bridge)
+    peer.say(op="advertise", topic="/mine", type="std_msgs/String")
+    whole = json.dumps({"op": "publish", "topic": "/mine", "msg": {"data": "fragment"}})
+    sent = len(peer.commands)
+    for num, part in enumerate((whole[:30], whole[30:])):
+        assert peer.say(op="fragment", id="a", data=part, num=num, total=2) == []
+    assert len(peer.commands) == sent + 1
+    inner = json.dumps({"op": "fragment", "id": "b", "data": "{", "num": 0, "total": 1})
+    assert peer.say(op="fragment", id="c", data=inner, num=0, total=1)[0]["level"] == "error"

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import shutil
 import subprocess
 import sys
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
+from starlette.types import Receive, Scope, Send
 
 from rosy_sim.config import Config, discover
 from rosy_sim.errors import BadInput
@@ -90,3 +93,24 @@ def test_the_sandbox_is_built_by_an_administrator_and_by_anybody_else(user: str)
     assert "work" not in said
     assert "Read-only file system" in said
     assert "CapEff:\t0000000000000000" in said
+
+
+def test_a_request_that_is_open_when_the_service_ends_leaves_no_traceback() -> None:
+    async def endless(_scope: Scope, _receive: Receive, _send: Send) -> None:
+        await asyncio.Event().wait()
+
+    async def tell(kind: str) -> None:
+        served = serving._without_cancellations(endless)({"type": kind}, _none, _none)
+        task = asyncio.ensure_future(served)
+        await asyncio.sleep(0)
+        task.cancel()
+        await task
+
+    asyncio.run(tell("http"))
+    asyncio.run(tell("websocket"))
+    with pytest.raises(asyncio.CancelledError):
+        asyncio.run(tell("lifespan"))
+
+
+async def _none(*_: object) -> Any:
+    raise AssertionError

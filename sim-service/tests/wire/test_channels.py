@@ -43,7 +43,6 @@ def values_of(channel: Channel) -> st.SearchStrategy[tuple[Any, ...]]:
     return st.tuples(*[leaf(p.leaf.kind, p.leaf.codes, p.yaw, p.scale) for p in channel.places])
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("name", list(CHANNELS))
 @given(data=st.data())
 def test_a_channel_reads_what_it_has_written(name: str, data: st.DataObject) -> None:
@@ -55,7 +54,6 @@ def test_a_channel_reads_what_it_has_written(name: str, data: st.DataObject) -> 
     assert channel.read(channel.full(values, 1.5, 7)) == pytest.approx(values)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("name", list(CHANNELS))
 @given(data=st.data())
 def test_a_line_has_the_bytes_of_its_encoded_message(name: str, data: st.DataObject) -> None:

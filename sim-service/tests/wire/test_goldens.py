@@ -13,7 +13,7 @@ from rosy_sim.wire import page
 from rosy_sim.wire.link_messages import Ended, Settled
 from rosy_sim.wire.page import jobs, lesson_rehearsals, room_tests
 from rosy_sim.wire.robot_link import SimulatorLink, start_line, step_line, stop_line
-from rosy_sim.wire.robot_process import decode_line, encode_request, encode_switch
+from rosy_sim.wire.robot_process import decode_line, encode_alive, encode_request, encode_switch
 from rosy_sim.wire.topics import CHANNELS, COMMAND_TOPICS, ODOMETRY, SENSOR_TOPICS, odometry_line, reading_line
 from rosy_sim.wire.worker import Answer, WorkerStream
 from rosy_sim.world.events import Command, Reading
@@ -133,7 +133,10 @@ def test_the_service_holds_each_conversation_about_a_robot(path: Path) -> None:
                 k: v for k, v in line.items() if k != "problem"
             }
         else:
-            sent = encode_switch(line["op"], line["on"]) if "on" in line else encode_request(line["op"])
+            if line["op"] == "alive":
+                sent = encode_alive(line["time"])
+            else:
+                sent = encode_switch(line["op"], line["on"]) if "on" in line else encode_request(line["op"])
             assert json.loads(sent) == line
 
 

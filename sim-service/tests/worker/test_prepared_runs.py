@@ -6,20 +6,18 @@ import asyncio
 import os
 import signal
 import socket
-import time
 from collections.abc import Awaitable, Callable
 from dataclasses import replace
 from typing import Literal
 
+from rosy_sim.accounting.resources import Budgets
 from rosy_sim.config import Config
 from rosy_sim.run.frame_rate import FrameRate
 from rosy_sim.run.lateness import Lateness
-from rosy_sim.run.run_queue import RunQueue
 from rosy_sim.run.worker_session import RunServices, WorkerSession
 from rosy_sim.wire.problem import Problem
 from rosy_sim.wire.worker import Started
 from rosy_sim.worker.prepared_runs import PreparedRuns
-from rosy_sim.worker.question_scheduler import QuestionScheduler
 from rosy_sim.worker.supervisor import WorkerSupervisor
 
 from ..conftest import PATIENCE
@@ -123,11 +121,10 @@ def test_what_a_session_was_given_ends_when_it_is_cancelled_before_its_first_ste
         assert prepared is not None
         services = RunServices(
             worker,
-            RunQueue(1),
+            Budgets(config.limits),
             config.limits,
             Lateness(),
             FrameRate(60.0, Lateness()),
-            QuestionScheduler(time.monotonic),
         )
         WorkerSession("a", services, Silent(), prepared).cancel()
         assert prepared.link.fileno() == -1

@@ -14,7 +14,7 @@ import psutil
 import pytest
 
 from rosy_sim.config import Config
-from rosy_sim.errors import WorkerLost, WorkerMissing
+from rosy_sim.errors import WorkerFailed, WorkerLost, WorkerMissing
 from rosy_sim.wire.worker import Gone, Refused, Started
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.worker.launcher import launch
@@ -159,7 +159,6 @@ def test_a_worker_that_is_stopped_before_it_is_warm_is_replaced(config: Config) 
     keeping(play, config)
 
 
-@pytest.mark.turns
 @pytest.mark.parametrize("how", ["stopped", "running in circles"])
 def test_a_wedged_worker_is_replaced(config: Config, how: str) -> None:
     async def play(worker: WorkerSupervisor, states: States) -> None:
@@ -211,15 +210,51 @@ def test_a_worker_that_vanishes_is_waited_for(config: Config, tmp_path: Path) ->
     executable = tmp_path / "worker"
 
     async def play(worker: WorkerSupervisor, states: States) -> None:
-        await states.reach("restarting")
+        await states.reach("failed")
         executable.write_text(f'#!/bin/sh\nexec "{config.worker[0]}" "{config.worker[1]}"\n')
         executable.chmod(0o755)
+        await states.reach("failed", "ready")
         await worker.check("")
 
     keeping(play, replace(config, worker=(str(executable),)))
     executable.unlink()
     with pytest.raises(WorkerMissing):
         launch(replace(config, worker=(str(executable),)))
+
+
+@pytest.mark.parametrize(
+    ("script", "cause"),
+    [
+        ("echo 'rosy-worker: missing\n    dependencies: aeson' >&2; exit 1", "missing dependencies: aeson"),
+        ("yes a library is missing >&2; exit 1", "a library is missing a library is missing"),
+        ("exit 1", "it ended before it was ready"),
+    ],
+)
+def test_a_worker_that_cannot_start_is_reported_once_with_its_cause_and_requests_are_refused_with_it(
+    config: Config, tmp_path: Path, script: str, cause: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    executable = tmp_path / "worker"
+    executable.write_text(f"#!/bin/sh\necho >>'{tmp_path}/starts'\n{script}\n")
+    executable.chmod(0o755)
+    broken = replace(config, worker=(str(executable),))
+
+    async def play(worker: WorkerSupervisor, states: States) -> None:
+        ours, theirs = socket.socketpair()
+        with ours:
+            for request in (worker.check(""), worker.start("", theirs), worker.wait_ready()):
+                with pytest.raises(WorkerFailed) as refused:
+                    await request
+                assert cause in str(refused.value)
+                assert len(str(refused.value)) < 500
+        while (tmp_path / "starts").read_text().count("\n") < 5:
+            await asyncio.sleep(0)
+        assert states == ["failed"]
+
+    keeping(play, broken)
+    assert [cause in line for line in caplog.messages] == [True]
+    with BlockingWorker(broken) as worker, pytest.raises(WorkerFailed) as refused:
+        worker.ready()
+    assert cause in str(refused.value)
 
 
 def test_a_cancelled_check_is_taken_back(config: Config) -> None:

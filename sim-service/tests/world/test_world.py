@@ -17,7 +17,9 @@ from rosy_sim.robots.kobuki.facts import (
     MAX_ANGULAR_ACCELERATION,
     MAX_ANGULAR_SPEED,
     MAX_SPEED,
+    MAX_WHEEL_SPEED,
     RADIUS,
+    WHEELBASE,
 )
 from rosy_sim.robots.kobuki.sensors import bumper_bits, wrapped
 from rosy_sim.world.arena import Arena, Pose, read_arena
@@ -27,7 +29,7 @@ from rosy_sim.world.time_step import STEP
 from rosy_sim.world.world import ActionRefused, World
 
 from ..conftest import events_of, hall
-from ..extent import WHOLE
+from ..extent import NIGHTLY
 
 LEFT, CENTRE, RIGHT = 4, 2, 1
 
@@ -116,9 +118,30 @@ def test_limits_hold_for_every_dt(plan: list[tuple[float, float, float]]) -> Non
         world.integrate(dt)
         assert abs(world.v) <= MAX_SPEED
         assert abs(world.w) <= MAX_ANGULAR_SPEED
+        assert abs(world.v) + abs(world.w) * WHEELBASE / 2 <= MAX_WHEEL_SPEED + 1e-9
         assert abs(world.v - v) <= MAX_ACCELERATION * dt + 1e-9
         assert abs(world.w - w) <= MAX_ANGULAR_ACCELERATION * dt + 1e-9
         assert math.dist((x, y), (world.x, world.y)) <= MAX_SPEED * dt + 1e-9
+
+
+@pytest.mark.parametrize(
+    ("asked", "driven"),
+    [
+        ((0.7, 3.0), (0.7 * 0.7 / 1.045, 3.0 * 0.7 / 1.045)),
+        ((-0.7, 3.0), (-0.7 * 0.7 / 1.045, 3.0 * 0.7 / 1.045)),
+        ((0.7, 0.0), (0.7, 0.0)),
+        ((0.0, math.pi), (0.0, math.pi)),
+        ((0.3, -3.0), (0.3, -3.0)),
+        # Each speed within its own limit first, as the guard of a real robot does.
+        ((9.0, 9.0), (0.7 * 0.7 / (0.7 + math.pi * 0.115), math.pi * 0.7 / (0.7 + math.pi * 0.115))),
+    ],
+)  # fmt: skip
+def test_no_wheel_turns_faster_than_it_can_and_the_curve_stays(
+    asked: tuple[float, float], driven: tuple[float, float]
+) -> None:
+    world = World(read_arena({"size": [100, 100], "start": {"x": 50, "y": 50, "theta": 0}}), KOBUKI)
+    drive(world, *asked, 2.0)
+    assert (world.v, world.w) == pytest.approx(driven)
 
 
 def test_the_watchdog_stops_a_robot_that_is_told_nothing() -> None:
@@ -254,7 +277,7 @@ def _rectangle_gap(x: float, y: float, cx: float, cy: float, w: float, h: float,
     return math.hypot(max(u, 0), max(v, 0)) + min(max(u, v), 0)
 
 
-@settings(max_examples=150 if WHOLE else 40, deadline=None)
+@settings(max_examples=150 if NIGHTLY else 40, deadline=None)
 @given(arenas(), commands)
 def test_physics_holds_in_any_room(world: World, plan: list[tuple[float, float, int]]) -> None:
     """Never inside a wall, never faster than told, sensors agree with geometry."""
@@ -279,7 +302,6 @@ def test_physics_holds_in_any_room(world: World, plan: list[tuple[float, float, 
         assert bits.wheels == hanging
 
 
-@pytest.mark.turns
 @settings(max_examples=30, deadline=None)
 @given(st.floats(-1.5, 1.5), st.floats(0.05, 0.7), st.floats(0.2, 0.6), st.floats(-0.3, 0.3))
 def test_pushing_a_box_never_makes_energy(theta: float, speed: float, size: float, aside: float) -> None:
@@ -406,7 +428,6 @@ def trace_of_a_busy_room() -> str:
     return "\n".join(lines)
 
 
-@pytest.mark.turns
 def test_the_same_inputs_give_the_same_bytes_in_another_process() -> None:
     runs = [
         subprocess.run([sys.executable, "-c", _TWICE], capture_output=True, check=True, cwd=_root()).stdout

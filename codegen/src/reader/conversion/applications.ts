@@ -20,6 +20,7 @@ export function readChain(node: Syntax, r: Reading): Expr | Cause {
   if (pieces.length === 1 && only?.kind === "operand") return readApplication(only.parts, r)
   const links = pieces.map((p): Link<Expr> => {
     if (p.kind !== "operand") return p
+    if (p.parts.some(part => r.context.isMask(part))) r.context.whole = "broken"
     const made = readApplication(p.parts, r)
     return {kind: "operand", value: typeof made === "string" ? rawExpr(p, made, r) : made}
   })
@@ -61,6 +62,7 @@ function bounded(e: Expr, r: Reading): Expr {
 function readApplication(parts: readonly Syntax[], r: Reading): Expr | Cause {
   const [head, ...rest] = parts
   if (head === undefined) return "expression"
+  if (rest.length > 0 && !isGivenToCall(parts, r)) r.context.whole = "broken"
   let fn: Expr
   let args = rest
   const types = parts.map(isTypeArgument).lastIndexOf(true)
@@ -83,6 +85,29 @@ function readApplication(parts: readonly Syntax[], r: Reading): Expr | Cause {
     fn: of,
     args: [...before, ...args.map(a => r.expression(a))],
   } as const)
+}
+
+/// Expressions that an application has without brackets only with the extension BlockArguments.
+const blockArguments = new Set([
+  "do",
+  "lambda",
+  "lambda_case",
+  "lambda_cases",
+  "case",
+  "conditional",
+  "let_in",
+  "multi_way_if",
+])
+
+/// Whether GHC reads the parts as one call. The grammar also goes on with a call on lines that are further left than the steps or alternatives above
+/// them, and that may be unfinished text: a part with an error is no argument, and steps are none before others. As the last argument they say the
+/// same in every dialect.
+function isGivenToCall(parts: readonly Syntax[], {context}: Reading): boolean {
+  if (parts.some(part => context.isMask(part))) return false
+  return (
+    context.extensions.has("BlockArguments") ||
+    !parts.slice(0, -1).some(part => blockArguments.has(part.type))
+  )
 }
 
 /// `f x @Int`; undefined for other forms of types as arguments.

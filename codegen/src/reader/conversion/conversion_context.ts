@@ -1,6 +1,7 @@
 /// Context of one definition's conversion: its text, comments, spans, and pieces kept as text.
 
 import type {Fixities} from "../../haskell/fixity.ts"
+import {unicodeSyntax} from "../../haskell/lexemes.ts"
 import type {Cause} from "../../model/raw_reasons.ts"
 import {reasons} from "../../model/raw_reasons.ts"
 import type {Expr} from "../../model/syntax_tree.ts"
@@ -9,6 +10,9 @@ import {expandTabs} from "../../source/tab_expansion.ts"
 import type {Comment} from "../../source/top_level_items.ts"
 import {wordsOf} from "../../source/top_level_items.ts"
 import type {Syntax} from "./parse_tree.ts"
+
+/// What the signs of UnicodeSyntax stand for in a type.
+const typeSigns: {readonly [sign: string]: string} = {"→": "->", "⇒": "=>", "∷": "::"}
 
 const arrow = /(?<![!#$%&*+./<=>?@\\^|~:-]) ?([-=]>) ?(?![!#$%&*+./<=>?@\\^|~:-])/g
 
@@ -19,9 +23,19 @@ const opensLayout =
 /// Deeper expressions and patterns stay text, so that every recursion over the model and its blocks is bounded.
 export const maximumDepth = 100
 
+/// What a file says about how its Haskell is to be read.
+export interface Dialect {
+  /// How its own operators bind.
+  readonly fixities: Fixities
+  /// Extensions of the language that it turns on.
+  readonly extensions: ReadonlySet<string>
+}
+
 export class Context {
   readonly text: string
   fixities: Fixities
+  /// Extensions of the language that the file turns on.
+  readonly extensions: ReadonlySet<string>
   /// Where each model node stands in `text`.
   readonly spans = new Map<object, Range>()
   /// Set when only the whole can be kept as text: it is broken, or keeping a piece would move its lines against each other.
@@ -42,10 +56,11 @@ export class Context {
   constructor(
     text: string,
     comments: readonly Comment[],
-    fixities: Fixities,
+    {fixities, extensions}: Dialect,
     pragmas: readonly Range[] = [],
     mask?: Range,
   ) {
+    this.extensions = extensions
     this.mask = mask
     this.pragmas = pragmas
     this.text = text
@@ -64,10 +79,14 @@ export class Context {
     return node
   }
 
+  /// Whether a node stands for the part with the error.
+  isMask(node: Range): boolean {
+    return this.mask !== undefined && node.start === this.mask.start && node.end <= node.start + 1
+  }
+
   /// The part with the error, if it is what a node stands for.
   maskAt(node: Range): Range | undefined {
-    if (this.mask === undefined || node.start !== this.mask.start || node.end > node.start + 1)
-      return undefined
+    if (!this.isMask(node)) return undefined
     this.isMaskRead = true
     return this.mask
   }
@@ -142,6 +161,10 @@ export class Context {
         at = c.end
       }
     // `a->b` and `a -> b` are one type; blocks compare types as text.
-    return (text + this.text.slice(at, node.end)).replace(/\s+/g, " ").replace(arrow, " $1 ").trim()
+    return (text + this.text.slice(at, node.end))
+      .replace(unicodeSyntax, sign => (sign === "∀" ? "forall " : (typeSigns[sign] ?? sign)))
+      .replace(arrow, " $1 ")
+      .replace(/\s+/g, " ")
+      .trim()
   }
 }

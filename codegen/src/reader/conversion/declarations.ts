@@ -111,10 +111,16 @@ function readGroup(group: readonly Syntax[], r: Reading, isClass = false): Decla
     case "deriving_instance":
       return readInstance(first, r)
     case "top_splice":
-      return r.context.of(first).startsWith("$") ? "template" : "broken"
+      return isSplice(r.context.of(first), r.context.extensions) ? "template" : "broken"
     default:
       return others[first.type] ?? "declaration"
   }
+}
+
+/// Whether an expression at the margin makes declarations: `$(f x)`, with Template Haskell also `f x`, with quasiquotes `[f|x|]`.
+function isSplice(text: string, extensions: ReadonlySet<string>): boolean {
+  if (text.startsWith("$") || extensions.has("TemplateHaskell")) return true
+  return extensions.has("QuasiQuotes") && /^\[[\p{L}_][\p{L}\p{N}_'.]*\|/u.test(text)
 }
 
 /// A method of a class that has a type and no equations.

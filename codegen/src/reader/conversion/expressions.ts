@@ -161,7 +161,11 @@ function readCase(node: Syntax, r: Reading): Expr | Cause {
 function readAlternatives(node: Syntax, r: Reading): Alternative[] | undefined {
   const alternatives = child(node, "alternatives")
   const all = alternatives === undefined ? [] : childrenIn(alternatives, "alternative")
-  if (all.length === 0) r.context.whole = "broken"
+  if (all.length === 0) {
+    // Without alternatives only in braces (EmptyCase); blocks have at least one.
+    if (!/\{\s*\}$/.test(r.context.of(node))) r.context.whole = "broken"
+    return undefined
+  }
   const read: Alternative[] = []
   for (const a of all) {
     const pattern = child(a, "pattern")

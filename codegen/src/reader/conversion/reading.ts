@@ -17,6 +17,9 @@ export interface Reading {
   readonly branch: (match: Syntax) => Guarded
 }
 
-export function rawExpr(range: Range, cause: Cause, r: Reading): Expr {
+export function rawExpr(node: Range, cause: Cause, r: Reading): Expr {
+  // The grammar's splices begin with the blank before them.
+  const text = r.context.of(node)
+  const range = {start: node.start + text.length - text.trimStart().length, end: node.end}
   return r.context.at(range, {kind: "raw", ...r.context.exact(range, cause)} as const)
 }

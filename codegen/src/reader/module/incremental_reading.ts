@@ -24,6 +24,8 @@ export interface Reading {
   readonly module: Module
   /// As many as the module has pieces.
   readonly sections: readonly Section[]
+  /// Extensions of the language that the file turns on.
+  readonly extensions: ReadonlySet<string>
   /// Operators whose binding the file declares itself.
   readonly declared: ReadonlyMap<string, Fixity>
   readonly margin: number | undefined
@@ -96,14 +98,14 @@ function commonEnds(one: string, other: string): readonly [number, number] {
   return [start, end]
 }
 
-/// Whether operators bind in the whole file as they did, so that what is outside of the window says the same.
-export function hasSameFixities(
+/// Whether operators bind in the whole file as they did and its extensions are the same, so that what is outside of the window says the same.
+export function hasSameDialect(
   {module, sections, declared}: Reading,
   {first, behind}: Change,
   window: string,
   parts: readonly {readonly name: string}[],
 ): boolean {
-  const declares = (text: string) => text.includes("infix")
+  const declares = (text: string) => text.includes("infix") || /LANGUAGE/i.test(text)
   if (declares(window) || module.pieces.slice(first, behind).some(piece => declares(piece.slice)))
     return false
   const own = (named: readonly {readonly name: string}[]) =>

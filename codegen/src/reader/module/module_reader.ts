@@ -4,28 +4,30 @@
 /// same text; otherwise its nodes are reused. After an edit only the changed definitions are read (`incremental_reading.ts`).
 
 import type {Language, Parser, Tree} from "web-tree-sitter"
-import type {Fixities, Fixity} from "../../haskell/fixity.ts"
+import type {Fixity} from "../../haskell/fixity.ts"
 import {fixitiesIn, redefinedOperators} from "../../haskell/fixity.ts"
 import {namesBoundBy} from "../../model/bound_names.ts"
-import {everyNode} from "../../model/child_nodes.ts"
 import type {Cause} from "../../model/raw_reasons.ts"
 import {reasons} from "../../model/raw_reasons.ts"
 import type {Declaration} from "../../model/syntax_tree.ts"
+import {extensionsIn} from "../../source/directives.ts"
 import type {Range} from "../../source/lexer.ts"
+import {nestingDepth} from "../../source/nesting_depth.ts"
 import type {Comment, Lexed} from "../../source/top_level_items.ts"
-import {lex} from "../../source/top_level_items.ts"
+import {isUnicodeSyntaxOn, lex} from "../../source/top_level_items.ts"
 import type {Part} from "../../source/top_level_sections.ts"
 import {partsOf} from "../../source/top_level_sections.ts"
+import type {Dialect} from "../conversion/conversion_context.ts"
 import {Context} from "../conversion/conversion_context.ts"
 import {readTop} from "../conversion/declarations.ts"
 import type {NodeNames, Parsed, Syntax} from "../conversion/parse_tree.ts"
 import {copyTree, namedChildren, nodeNames} from "../conversion/parse_tree.ts"
 import {maskCandidates, masked} from "./error_masking.ts"
 import type {Reading, Section} from "./incremental_reading.ts"
-import {changedPieces, hasSameFixities, replaced} from "./incremental_reading.ts"
+import {changedPieces, hasSameDialect, replaced} from "./incremental_reading.ts"
 import type {Converted, Module, Piece} from "./module_pieces.ts"
 import {wordsOf} from "./semantic_tokens.ts"
-import {grammarVariants} from "./source_rewriting.ts"
+import {grammarVariants, withStandIns} from "./source_rewriting.ts"
 
 /// Longer definitions are kept as text: they are not shown as blocks, and a broken one would cost the parser seconds.
 const longest = 40_000
@@ -38,6 +40,8 @@ export class Reader {
   private readonly parser: Parser
   private readonly names: NodeNames
   private last: Reading | undefined
+  /// Whether the text that is read has the extension UnicodeSyntax, in which `→` is `->`; else it is an operator like any other.
+  private hasUnicodeSyntax = false
 
   /// @internal Use `openReader`.
   constructor(parser: Parser, language: Language) {
@@ -46,21 +50,26 @@ export class Reader {
   }
 
   read(text: string): Module {
+    const hasUnicodeSyntax = isUnicodeSyntaxOn(text)
+    if (hasUnicodeSyntax !== this.hasUnicodeSyntax) this.last = undefined
+    this.hasUnicodeSyntax = hasUnicodeSyntax
     const reading = (this.last && this.readChange(this.last, text)) ?? this.readAll(text)
     this.last = reading
     return reading.module
   }
 
   private readAll(text: string): Reading {
-    const lexed = lex(text)
+    const lexed = lex(text, undefined, this.hasUnicodeSyntax)
     const parts = partsOf(text, lexed)
     const declared = fixitiesOf(text, lexed)
     const names = parts.map(part => part.name)
     const fixities = new Map([...redefinedOperators(names, declared), ...declared])
     const known = convertedByKey(this.last?.sections ?? [])
-    const {pieces, sections} = this.readParts(text, parts, fixities, known)
+    const extensions = extensionsIn(text)
+    const {pieces, sections} = this.readParts(text, parts, {fixities, extensions}, known)
     return {
       module: {text, pieces, fixities},
+      extensions,
       sections,
       declared,
       margin: lexed.margin,
@@ -74,11 +83,12 @@ export class Reader {
     const change = changedPieces(last, text)
     if (change === undefined) return undefined
     const window = text.slice(change.start, change.end)
-    const lexed = lex(window, change.margin)
+    const lexed = lex(window, change.margin, this.hasUnicodeSyntax)
     const parts = partsOf(window, lexed)
-    if (!hasSameFixities(last, change, window, parts)) return undefined
+    if (!hasSameDialect(last, change, window, parts)) return undefined
     const known = convertedByKey(last.sections.slice(change.first, change.behind))
-    const read = this.readParts(window, parts, last.module.fixities, known)
+    const dialect = {fixities: last.module.fixities, extensions: last.extensions}
+    const read = this.readParts(window, parts, dialect, known)
     return replaced(last, text, change, {...read, margin: lexed.margin, isClosed: lexed.isClosed})
   }
 
@@ -86,10 +96,10 @@ export class Reader {
   private readParts(
     text: string,
     parts: readonly Part[],
-    fixities: Fixities,
+    dialect: Dialect,
     known: ReadonlyMap<string, Converted>,
   ): {pieces: Piece[]; sections: Section[]} {
-    const fixityKey = JSON.stringify([...fixities])
+    const dialectKey = JSON.stringify([[...dialect.fixities], [...dialect.extensions]])
     const taken = new Set<string>()
     const pieces: Piece[] = []
     const sections: Section[] = []
@@ -99,7 +109,7 @@ export class Reader {
       if (part.kind === "declaration") {
         const tail = part.tail === undefined ? "" : text.slice(part.core.end, part.tail.end)
         const key = JSON.stringify([
-          fixityKey,
+          dialectKey,
           part.trouble ?? "",
           part.column,
           part.comment,
@@ -109,8 +119,8 @@ export class Reader {
         // Two equal definitions must not share their nodes.
         const converted =
           (taken.has(key) ? undefined : known.get(key)) ??
-          this.convertWithTail(part, tail, fixities) ??
-          this.convert(part, fixities)
+          this.convertWithTail(part, tail, dialect) ??
+          this.convert(part, dialect)
         taken.add(key)
         sections.push({name: part.name, key, converted, isDefinition: part.trouble === undefined})
         piece = {
@@ -140,16 +150,16 @@ export class Reader {
   }
 
   /// The definition with the comment behind it; undefined when that is not the comment of its last step or local definition.
-  private convertWithTail(part: Part, tail: string, fixities: Fixities): Converted | undefined {
+  private convertWithTail(part: Part, tail: string, dialect: Dialect): Converted | undefined {
     if (part.tail === undefined) return undefined
     const core = {start: part.core.start, end: part.core.end + tail.length}
     const inner = [...part.inner, part.tail]
-    const converted = this.convert({...part, core, source: part.source + tail, inner}, fixities, true)
+    const converted = this.convert({...part, core, source: part.source + tail, inner}, dialect, true)
     return converted.hasTail && !converted.broken ? converted : undefined
   }
 
   /// `withTail`: the part ends in a comment that should be that of a step.
-  private convert(part: Part, fixities: Fixities, withTail = false): Converted {
+  private convert(part: Part, dialect: Dialect, withTail = false): Converted {
     const comments = part.inner.map(c => ({
       ...c,
       start: c.start - part.core.start,
@@ -161,22 +171,30 @@ export class Reader {
     const shift = above.length
     const source = above + part.source
     const shifted = comments.map(c => ({...c, start: c.start + shift, end: c.end + shift}))
+    const depth = nestingDepth(source)
+    const isUnparsed = depth > deepestParsed
     const parsed =
-      part.trouble !== undefined || part.source.length > longest ? undefined : this.parse(source, part, shift)
+      part.trouble !== undefined || part.source.length > longest || isUnparsed
+        ? undefined
+        : this.parse(source, part, shift, dialect)
     const words = parsed === undefined ? [] : wordsOf(parsed.root, shift)
-    const whole = new Context(source, shifted, fixities, parsed?.pragmas)
-    const isBroken = parsed?.broken === true && bracketDepth(source) <= deepestBrackets
-    const partly = isBroken ? this.readPartly(source, part, shift, shifted, fixities) : undefined
+    const whole = new Context(source, shifted, dialect, parsed?.pragmas)
+    const hasError = parsed?.broken === true && depth <= deepestContexts
+    const beyondGrammar = hasError ? this.causeBeyondGrammar(source, part, dialect) : undefined
+    const isBroken = hasError && beyondGrammar === undefined
+    const partly = isBroken ? this.readPartly(source, part, shift, shifted, dialect) : undefined
     const context = partly?.context ?? whole
     const made: Declaration | Cause =
       part.trouble ??
       partly?.made ??
       (parsed === undefined
-        ? "large"
+        ? isUnparsed
+          ? "deep"
+          : "large"
         : parsed.broken
           ? isBroken
             ? "broken"
-            : "deep"
+            : (beyondGrammar ?? "deep")
           : readTop(topOf(parsed.root), context))
     const remarkAbove = part.comment === "" ? [] : part.comment.split("\n")
     if (typeof made !== "string") {
@@ -209,19 +227,27 @@ export class Reader {
     }
   }
 
+  /// Why a definition in which the grammar finds an error is Haskell all the same; undefined where the error is one.
+  private causeBeyondGrammar(source: string, part: Part, dialect: Dialect): Cause | undefined {
+    const known = withStandIns(source)
+    // The places of dashed operators are those of the source.
+    if (known === undefined || part.dashed.length > 0) return undefined
+    return this.parse(known.text, part, 0, dialect)?.broken === false ? known.cause : undefined
+  }
+
   /// A broken definition with the part that holds the error as text; undefined where no such part is found.
   private readPartly(
     source: string,
     part: Part,
     shift: number,
     comments: readonly Comment[],
-    fixities: Fixities,
+    dialect: Dialect,
   ): {made: Declaration; context: Context} | undefined {
     if (source.length > longestPartly) return undefined
     for (const mask of maskCandidates(source)) {
-      const parsed = this.parse(masked(source, mask), part, shift)
+      const parsed = this.parse(masked(source, mask), part, shift, dialect)
       if (parsed === undefined || parsed.broken) continue
-      const context = new Context(source, comments, fixities, parsed.pragmas, mask)
+      const context = new Context(source, comments, dialect, parsed.pragmas, mask)
       const made = readTop(topOf(parsed.root), context)
       if (typeof made !== "string" && made.kind !== "raw-declaration" && context.isMaskRead)
         return {made, context}
@@ -230,10 +256,10 @@ export class Reader {
   }
 
   /// The first variant of the source that parses without an error, or else the first one.
-  private parse(source: string, part: Part, shift: number): Parsed | undefined {
+  private parse(source: string, part: Part, shift: number, {extensions}: Dialect): Parsed | undefined {
     const dashed = part.dashed.map(d => moved(d, shift - part.core.start))
     let first: Parsed | undefined
-    for (const {text, place} of grammarVariants(source, dashed)) {
+    for (const {text, place} of grammarVariants(source, dashed, extensions, this.hasUnicodeSyntax)) {
       const tree: Tree | null = this.parser.parse(`${text}\n`)
       if (tree === null) return undefined
       const parsed = copyTree(tree, this.names, place)
@@ -253,17 +279,13 @@ function convertedByKey(sections: readonly Section[]): ReadonlyMap<string, Conve
   return known
 }
 
-/// Nested brackets from which on the grammar may find errors that are none: its scanner keeps a bounded stack of contexts.
-const deepestBrackets = 150
+/// Nested brackets and layout blocks from which on the grammar may find errors that are none: its scanner keeps a bounded stack of contexts, which
+/// holds 120 and does not hold 126 of them (measured with tree-sitter-haskell 0.23.1).
+const deepestContexts = 120
 
-function bracketDepth(source: string): number {
-  let depth = 0
-  let deepest = 0
-  for (const c of source)
-    if ("([{".includes(c)) deepest = Math.max(deepest, ++depth)
-    else if (")]}".includes(c)) depth--
-  return deepest
-}
+/// Nested brackets and layout blocks from which on a definition is not parsed: its blocks would be too deep to draw, and parsing takes long (a type
+/// with 2,000 brackets takes ten seconds).
+const deepestParsed = 300
 
 function moved(span: Range, by: number): Range {
   return {start: span.start + by, end: span.end + by}
@@ -294,28 +316,4 @@ function namesOf(d: Declaration, guessed: string): readonly string[] {
     case "raw-declaration":
       return guessed === "" ? [] : [guessed]
   }
-}
-
-/// How many expressions a definition holds, and those that were kept as text.
-export function expressionsIn(d: Declaration): {
-  all: number
-  raw: readonly {text: string; reason: string | undefined}[]
-} {
-  let all = 0
-  const raw: {text: string; reason: string | undefined}[] = []
-  for (const node of everyNode(d)) {
-    if (node.kind === "raw") raw.push({text: node.text, reason: node.reason})
-    if (isExpression(node.kind)) all++
-  }
-  return {all, raw}
-}
-
-const expressionKinds = new Set(
-  "variable constructor-name number string character apply infix negate section lambda if branches case lambda-case let do tuple list range comprehension typed record update hole raw".split(
-    " ",
-  ),
-)
-
-function isExpression(kind: string): boolean {
-  return expressionKinds.has(kind)
 }

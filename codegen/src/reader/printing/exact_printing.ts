@@ -6,12 +6,14 @@
 
 import type {Node} from "../../model/syntax_tree.ts"
 import type {Range} from "../../source/lexer.ts"
+import {derivingEdits} from "./deriving_edits.ts"
 import {deletion, itemRange, paired, separatorText} from "./list_edits.ts"
 import type {Separator} from "./model_parts.ts"
 import {equalItems, keyOf, partsOf, saidByBlocks} from "./model_parts.ts"
 import type {MovedTexts} from "./moved_texts.ts"
 import {isItem, written} from "./moved_texts.ts"
 import {nameEdits} from "./name_edits.ts"
+import {isRecord, punEdits} from "./pun_edits.ts"
 import type {Source} from "./source_fragments.ts"
 import {bracketsAround, columnAt, indentAt, rangeOf, withBrackets, withComments} from "./source_fragments.ts"
 import type {Edit} from "./text_edits.ts"
@@ -61,7 +63,7 @@ class ExactPrinting {
     const [a, b] = [rangeOf(this.before, old), rangeOf(this.now, fresh)]
     if (a === undefined || b === undefined) return undefined
     const [was, is] = [partsOf(old), partsOf(fresh)]
-    const own = was.label === is.label ? [] : nameEdits(this.before, old, fresh)
+    const own = was.label === is.label ? [] : wordEdits(this.before, old, fresh)
     const remark = level === 0 || commentOf(old) === commentOf(fresh) ? [] : undefined
     if (own === undefined || remark === undefined || was.lists.length !== is.lists.length) return undefined
     const edits = [...own]
@@ -98,10 +100,10 @@ class ExactPrinting {
     // Brackets that the old part needed go with it; others stay, and steps without a `$` need them.
     const isFreed = around !== undefined && !needed && !isBehindDollar && mayNeedBrackets(old)
     const all = isFreed ? withBrackets(this.before, from, a) : from
-    const dollar =
-      old.kind === "do" && saidByBlocks(fresh).kind !== "do" ? dollarBefore(this.before, all, a) : undefined
+    const isArgument = saidByBlocks(fresh).kind !== "do" && dollarBefore(this.now, to, b) === undefined
+    const dollar = old.kind === "do" && isArgument ? dollarBefore(this.before, all, a) : undefined
     if (dollar !== undefined) {
-      // The steps after `$` are an argument of the call; another argument stands there in brackets.
+      // The steps after `$` are an argument of the call; another argument that is not behind `$` stands there in brackets.
       const own = this.text(fresh, b, columnAt(this.before, dollar) + 1, all)
       return [{start: dollar, end: all.end, text: `(${own})`}]
     }
@@ -228,6 +230,13 @@ class ExactPrinting {
     const own = needed ? `(${text})` : text
     return {start, end: start, text: last === -1 ? own + between : between + own}
   }
+}
+
+/// The edits of what a node says itself, beside its parts.
+function wordEdits(source: Source, old: Node, fresh: Node): readonly Edit[] | undefined {
+  if (old.kind === "data" && fresh.kind === "data") return derivingEdits(source, old, fresh)
+  if (isRecord(old) && isRecord(fresh)) return punEdits(source, old, fresh)
+  return nameEdits(source, old, fresh)
 }
 
 /// Where the `$` before a part of the node `a` stands.

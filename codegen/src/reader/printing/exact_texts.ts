@@ -9,10 +9,13 @@ import type {Module, Piece} from "../module/module_pieces.ts"
 import type {Reader} from "../module/module_reader.ts"
 import {editedText} from "./exact_printing.ts"
 import {meaningOf} from "./model_parts.ts"
+import type {MovedTexts} from "./moved_texts.ts"
 import {movedTexts} from "./moved_texts.ts"
 import type {Source} from "./source_fragments.ts"
 import {sourceOf} from "./source_fragments.ts"
 import {writeBack} from "./text_patches.ts"
+
+const nothingMoved: MovedTexts = new Map()
 
 /// How the definitions of edits were written, for tests and measurements.
 export interface ExactCount {
@@ -71,7 +74,7 @@ function exactText(
   i: number,
   source: Source,
   target: Piece,
-  moved: ReturnType<typeof movedTexts>,
+  moved: MovedTexts,
 ): {text: string; tries: number} | undefined {
   const [piece, edited] = [module.pieces[i], edits.get(i)]
   if (edited === undefined || piece?.declaration === undefined || target.declaration === undefined)
@@ -91,35 +94,38 @@ function exactText(
   if (piece.declaration.kind === "raw-declaration") return undefined
   const meaning = meaningOf(target.declaration)
   const words = commentWords(target.slice)
-  let depth = Number.MAX_SAFE_INTEGER
-  let last: string | undefined
-  for (let tries = 1; tries <= 8 && depth >= 0; tries++) {
-    let deepest = -1
-    // Items that changed places bring their comments along; where that is not possible, each place keeps the comments around it.
-    for (const pairing of ["moved", "in place"] as const) {
-      const made = editedText(before, now, moved, depth, pairing)
-      if (made === undefined) continue
-      deepest = Math.max(deepest, made.deepest)
-      if (made.text === last) continue
-      last = made.text
-      const again = reader.read(
-        writeBack(module, {
-          pieces: new Map([[i, edited]]),
-          exact: new Map([[i, made.text]]),
-          added: [],
-        }),
-      )
-      const read = again.pieces[i]
-      if (
-        again.pieces.length === module.pieces.length &&
-        read?.declaration !== undefined &&
-        meaningOf(read.declaration) === meaning &&
-        commentWords(read.slice) === words
-      )
-        return {text: made.text, tries}
+  // Text that is moved may need brackets in its new place; then the pretty-printer's text stands there.
+  for (const texts of [moved, nothingMoved]) {
+    let depth = Number.MAX_SAFE_INTEGER
+    let last: string | undefined
+    for (let tries = 1; tries <= 8 && depth >= 0; tries++) {
+      let deepest = -1
+      // Items that changed places bring their comments along; where that is not possible, each place keeps the comments around it.
+      for (const pairing of ["moved", "in place"] as const) {
+        const made = editedText(before, now, texts, depth, pairing)
+        if (made === undefined) continue
+        deepest = Math.max(deepest, made.deepest)
+        if (made.text === last) continue
+        last = made.text
+        const again = reader.read(
+          writeBack(module, {
+            pieces: new Map([[i, edited]]),
+            exact: new Map([[i, made.text]]),
+            added: [],
+          }),
+        )
+        const read = again.pieces[i]
+        if (
+          again.pieces.length === module.pieces.length &&
+          read?.declaration !== undefined &&
+          meaningOf(read.declaration) === meaning &&
+          commentWords(read.slice) === words
+        )
+          return {text: made.text, tries: texts === moved ? tries : tries + 8}
+      }
+      if (deepest < 0) break
+      depth = Math.min(deepest, depth) - 1
     }
-    if (deepest < 0) return undefined
-    depth = Math.min(deepest, depth) - 1
   }
   return undefined
 }

@@ -63,7 +63,10 @@ export function partsOf(node: Node): Parts {
   const places: Node[] = []
   const lists: {separator: Separator; items: readonly Node[]}[] = []
   const visit = (fields: Fields, kind: string): void => {
-    for (const [property, value] of Object.entries(fields)) {
+    // A node from blocks may have its properties in another order than one from text.
+    const entries = Object.entries(fields)
+    if (kind === "field" || kind === "function") entries.sort(([one], [other]) => (one < other ? -1 : 1))
+    for (const [property, value] of entries) {
       if (property === "comment" || property === "reason" || property === "from" || value === undefined)
         continue
       if (value === true) label.push(property)
@@ -76,7 +79,8 @@ export function partsOf(node: Node): Parts {
             label.push("field")
             visit(field as Fields, "field")
           }
-        else if (typeof first === "string") label.push(`${property}=${value.join(" ")}`)
+        else if (typeof first === "string" || property === "deriving")
+          label.push(`${property}=${value.join(" ")}`)
         else {
           label.push(property)
           const separator =

@@ -13,13 +13,16 @@ export interface Source {
   readonly column: number
   readonly spans: ReadonlyMap<object, Range>
   readonly comments: readonly Range[]
+  /// Whether a comment stands behind the definition, on its last line.
+  readonly hasCommentBehind: boolean
 }
 
 export function sourceOf(piece: Piece): Source {
   const start = piece.core.start - piece.start
   const text = piece.slice.slice(start, piece.core.end - piece.start)
   const column = start - (piece.slice.lastIndexOf("\n", start - 1) + 1)
-  return {text, column, spans: piece.spans, comments: lex(text).comments}
+  const hasCommentBehind = /^[ \t]*(?:--|\{-)/.test(piece.slice.slice(piece.core.end - piece.start))
+  return {text, column, spans: piece.spans, comments: lex(text).comments, hasCommentBehind}
 }
 
 export function columnAt(source: {text: string; column: number}, at: number): number {

@@ -6,10 +6,13 @@
 import {chain, readTree} from "../../blocks/block_reader.ts"
 import {blockView} from "../../blocks/block_registry.ts"
 import {hasUnknowns} from "../../model/holes.ts"
+import {causeOf} from "../../model/raw_reasons.ts"
 import type {Declaration} from "../../model/syntax_tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../../serialized_blocks.ts"
-import {withSignatures} from "../../workspace/code_generation.ts"
-import {inferWorkspace} from "../../workspace/workspace_inference.ts"
+import {derivable} from "../../types/environment/declared_types.ts"
+import {derivingNeeds, withSignatures} from "../../workspace/inference/code_generation.ts"
+import {InferenceSession} from "../../workspace/inference/inference_session.ts"
+import {inferWorkspace} from "../../workspace/inference/workspace_inference.ts"
 import type {Module, Piece} from "../module/module_pieces.ts"
 import {sameFixities} from "../module/module_pieces.ts"
 import type {Reader} from "../module/module_reader.ts"
@@ -19,22 +22,23 @@ import {meaningOf} from "../printing/model_parts.ts"
 import {writeBack} from "../printing/text_patches.ts"
 import {mergeTrees} from "./block_merge.ts"
 import {buildBlocks} from "./block_tree.ts"
+import {isSaidBy, isUnfinished, textsIn} from "./correspondence.ts"
 import type {Renames} from "./export_list.ts"
 import {renamedExports, renamesBetween} from "./export_list.ts"
 import {advance, firstFree} from "./text_synchronization.ts"
 import {hashTree, transferIdentity} from "./tree_matching.ts"
 import type {Shown, View} from "./view.ts"
-import {definedIn, headerOf, pieceText} from "./view.ts"
+import {definedIn, headerOf, pieceText, workspaceOf} from "./view.ts"
 
 /// The view after blocks were edited: `workspace` is all that is on the page now. Its `refused` names definitions with unfinished text that the edit
-/// would have lost; then nothing else is changed. `count`, when given, counts how the changed definitions were written.
+/// would have lost, or definitions that the new text would not say as the blocks do; then nothing else is changed. `count`, when given, counts how the changed definitions were written.
 export function syncBlocks(
   reader: Reader,
   before: View,
   workspace: SavedWorkspace,
   {count}: {readonly count?: ExactCount} = {},
 ): View {
-  const {refused: _, remade: __, ...view} = before
+  const {refused: _, inexpressible: __, remade: ___, ...view} = before
   const tops = workspace.blocks.blocks
   const loose = tops.filter(b => blockView(b.type)?.meaning.as !== "definition")
   const now = tops
@@ -73,6 +77,25 @@ export function syncBlocks(
       declarations: view.declarations.map(s => ({...s, block: found.get(s) ?? s.block})),
     }
 
+  const putBack = earlierView(view, now)
+  if (putBack !== undefined)
+    return {
+      ...withBlocks(putBack, now),
+      loose,
+      gone: view.gone,
+      nextId: Math.max(nextId, putBack.nextId),
+      earlier: earlierOf(view),
+    }
+
+  // A type whose values the edit shows or compares for the first time derives the class, in the text and in its blocks.
+  const deriving = derivingOf(reader, view, workspace)
+  for (const s of view.declarations) {
+    const b = found.get(s)
+    const classes = b === undefined || s.dimmed ? undefined : deriving.get(b.id)
+    if (b === undefined || classes === undefined) continue
+    found.set(s, withClasses(b, classes))
+    if (!changed.includes(s)) changed.push(s)
+  }
   const declared = printable(workspace, view)
   const edits = new Map<number, Declaration | undefined>()
   for (const s of changed) {
@@ -86,16 +109,127 @@ export function syncBlocks(
     }),
   )
   const module = withRenamedExports(view.module, renames)
+  const completed = added.map(b => {
+    const classes = deriving.get(b.id)
+    return classes === undefined ? b : withClasses(b, classes)
+  })
+  const fresh = completed.map(b => declared(b, undefined))
   const text = writeBack(module, {
     pieces: edits,
     exact: exactTexts(reader, view.module, edits, count),
-    added: added.map(b => declared(b, undefined)),
+    added: fresh,
   })
   const kept = view.declarations.flatMap(s => {
     const b = found.get(s)
     return b === undefined ? [] : [{...s, block: b, dimmed: s.dimmed && !changed.includes(s)}]
   })
-  return settle(reader, {...view, loose, nextId}, text, kept, added, new Set(changed))
+  const settled = settle(reader, {...view, loose, nextId}, text, kept, completed, new Set(changed))
+  const unsaid = [
+    ...changed.map(s => ({
+      block: found.get(s),
+      declaration: edits.get(s.piece),
+      before: view.module.pieces[s.piece],
+    })),
+    ...completed.map((block, i) => ({block, declaration: fresh[i], before: undefined})),
+  ].filter(edit => !isWritten(settled, edit))
+  if (unsaid.length === 0)
+    return {...settled, ...(deriving.size === 0 ? {} : {remade: true}), earlier: earlierOf(view)}
+  return {...view, refused: unsaid.map(({block}) => (block && nameOf(block)) ?? "_"), inexpressible: true}
+}
+
+/// Edits of the blocks whose blocks can be put back.
+const mostEarlier = 20
+
+function earlierOf(view: View): readonly View[] {
+  const {earlier = [], ...bare} = view
+  return [bare, ...earlier].slice(0, mostEarlier)
+}
+
+/// The latest view whose definitions are those of the workspace again, after an undo or when a block was moved away and back.
+function earlierView({earlier = []}: View, now: readonly SavedBlock[]): View | undefined {
+  const byId = new Map(now.map(b => [b.id, b]))
+  const known = new Map<SavedBlock, boolean>()
+  const isBack = ({block}: Shown): boolean => {
+    const b = byId.get(block.id)
+    if (b === undefined || b === block) return b === block
+    const same = known.get(block) ?? hashTree(b, true) === hashTree(block, true)
+    known.set(block, same)
+    return same
+  }
+  return earlier.find(e => e.declarations.length === now.length && e.declarations.every(isBack))
+}
+
+/// A view with the same definitions at other places on the page.
+function withBlocks(view: View, now: readonly SavedBlock[]): View {
+  const byId = new Map(now.map(b => [b.id, b]))
+  const declarations = view.declarations.map((s): Shown => {
+    const block = byId.get(s.block.id) ?? s.block
+    const {ids} = transferIdentity(block, s.block)
+    return {...s, block, spans: s.spans.map(x => ({...x, block: ids.get(x.block) ?? x.block}))}
+  })
+  return {...view, declarations}
+}
+
+const sessions = new WeakMap<Reader, InferenceSession>()
+
+/// Classes that types of the program derive once the workspace is as it is now, by the block of the type; only of types that need more than before the edit.
+function derivingOf(
+  reader: Reader,
+  view: View,
+  workspace: SavedWorkspace,
+): ReadonlyMap<BlockId | undefined, readonly string[]> {
+  const mayNeed = (d: Declaration) => d.kind === "data" && derivable.some(c => !d.deriving.includes(c))
+  if (!workspace.blocks.blocks.some(b => readTree(b).declarations.some(mayNeed))) return new Map()
+  const session = sessions.get(reader) ?? new InferenceSession()
+  sessions.set(reader, session)
+  const header = headerOf(view)
+  const needs = (of: SavedWorkspace) =>
+    new Map(
+      derivingNeeds(session.inferWorkspace({...of, header})).map(({type, classes}) => [
+        type.from?.block,
+        classes,
+      ]),
+    )
+  const now = needs(workspace)
+  if (now.size === 0) return now
+  const before = needs(workspaceOf(view))
+  return new Map([...now].filter(([id, classes]) => classes.some(c => before.get(id)?.includes(c) !== true)))
+}
+
+function withClasses(block: SavedBlock, classes: readonly string[]): SavedBlock {
+  return {...block, extraState: {...block.extraState, deriving: [...classes]}}
+}
+
+/// Whether the new text says what an edited block says. Where the edit was in text that blocks keep to the letter, the text decides what there is now.
+function isWritten(
+  settled: View,
+  {
+    block,
+    declaration,
+    before,
+  }: {
+    readonly block: SavedBlock | undefined
+    readonly declaration: Declaration | undefined
+    readonly before: Piece | undefined
+  },
+): boolean {
+  if (block === undefined || declaration === undefined) return true
+  const known = before?.declaration === undefined ? [] : textsIn(before.declaration)
+  if (
+    before?.broken === true ||
+    isUnfinished(declaration) ||
+    textsIn(declaration).some(text => !known.includes(text))
+  )
+    return true
+  const shown = settled.declarations.find(s => s.block.id === block.id)
+  const name = nameOf(block)
+  const piece =
+    settled.module.pieces[shown?.piece ?? -1] ??
+    settled.module.pieces.find(p => name !== undefined && p.names[0] === name)
+  const read = piece?.declaration
+  // What has become too long for blocks is text as a whole.
+  if (read?.kind === "raw-declaration" && causeOf(read.reason) === "large") return true
+  return piece !== undefined && isSaidBy(declaration, piece)
 }
 
 /// The blocks of a definition's unfinished text with an edit of its last whole blocks; undefined where they do not go together.
@@ -240,8 +374,10 @@ function printable(
   }
   const elsewhere = new Set(
     view.module.pieces.flatMap(p =>
-      p.declaration?.kind === "raw-declaration" && /^[^=]*::/.test(p.declaration.text)
-        ? (p.declaration.text.split("::")[0] ?? "").split(",").map(n => n.trim().replace(/^\((.*)\)$/, "$1"))
+      p.declaration?.kind === "raw-declaration" && /^[^=]*(?:::|∷)/.test(p.declaration.text)
+        ? (p.declaration.text.split(/::|∷/)[0] ?? "")
+            .split(",")
+            .map(n => n.trim().replace(/^\((.*)\)$/, "$1"))
         : [],
     ),
   )

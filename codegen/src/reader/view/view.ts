@@ -30,12 +30,17 @@ export interface View {
   readonly loose: readonly SavedBlock[]
   /// Definitions that left the text lately; their blocks come back if they do.
   readonly gone: readonly Shown[]
+  /// Views before the last edits of the blocks, the latest first, as long as the text was not edited otherwise: blocks that are put back bring back its
+  /// every character.
+  readonly earlier?: readonly View[]
   /// The next new block is called `t` and this number.
   readonly nextId: number
   /// Definitions whose saved blocks said something else than the text, although their hash was that of the text. The text has won.
   readonly contradicted?: readonly string[]
   /// Definitions whose unfinished text the last edit of the blocks would have lost, so that it was not made.
   readonly refused?: readonly string[]
+  /// The edit was refused although the text is finished: read again, the new text is another tree than that of the blocks.
+  readonly inexpressible?: true
   /// The last edit of the blocks has changed more blocks than it showed: those of the view are to be drawn.
   readonly remade?: true
 }

@@ -11,6 +11,7 @@ export const blocks: Pick<
   | "patterns"
   | "raw"
   | "answers"
+  | "priority"
   | "tasks"
   | "values"
   | "operators"
@@ -294,7 +295,40 @@ export const blocks: Pick<
     askTheLastConditionAsOne: which => `Die letzte Bedingung auf einmal fragen${which}`,
     askTheLastConditionInSteps: which => `Die letzte Bedingung in Schritten fragen${which}`,
   },
+  priority: {
+    first: "zuerst",
+    for: "für",
+    otherwise: ", sonst",
+    whatGoesFirst: "was Vorrang hat",
+    whatGoesSecond: "was sonst läuft",
+    theFirstKeepsTheRobot:
+      "Zwei Funktionen steuern dasselbe: Die erste behält den Roboter so lange nach ihrem letzten Befehl. Beispiel: zuerst ausweichen für 1 s, sonst weiterfahren.",
+    firstForSecondsOtherwise: "zuerst das eine, für einige Sekunden, sonst das andere",
+  },
   tasks: {
+    driveBack: "fahre zurück für",
+    drivesBack: "Fährt einige Sekunden rückwärts und bleibt dann stehen. Beispiel: fahre zurück für 1 s.",
+    turnBetween: "drehe zufällig zwischen",
+    upTo: "und",
+    leastDegrees: "kleinster Winkel in Grad",
+    mostDegrees: "größter Winkel in Grad",
+    turnsBetween:
+      "Dreht um einen zufälligen Winkel; links ist positiv. Beispiel: drehe zufällig zwischen -90 und 90.",
+    goTo: "fahre zu",
+    metresAhead: "m vorn,",
+    metresLeft: "m links",
+    goesTo:
+      "Dreht sich zu einem Ort, fährt gerade hin und bleibt stehen. Gemessen wird von dort, wo das Programm begann; eine negative Zahl ist hinten oder rechts. Beispiel: fahre zu 1 m vorn, 0,5 m links.",
+    curve: "fahre und drehe",
+    untilAnObstacle: "Grad je Sekunde bis zu einem Stoß oder einer Kante",
+    degreesASecond: "Grad je Sekunde",
+    curves:
+      "Fährt eine Kurve, bis die Stoßstange gedrückt wird oder eine Kante kommt, und bleibt stehen; links ist positiv, 0 ist geradeaus. Beispiel: fahre und drehe -20 Grad je Sekunde.",
+    either: "entweder",
+    or: "oder",
+    oneStep: "die eine Aufgabe",
+    otherStep: "die andere Aufgabe",
+    eitherByChance: "Tut zufällig eines von beiden. Beispiel: entweder drehe 90 oder drehe -90.",
     thereIsNoStepHereYet: "Hier ist noch kein Schritt.",
     putAtLeastOneStepInto: "Setze mindestens einen Schritt in den Stapel.",
     theLastStepMustDoSomething: "Der letzte Schritt muss etwas tun.",

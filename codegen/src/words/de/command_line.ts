@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 
 export const commandLine: Words["commandLine"] = {
-  usage: "Aufruf: to-haskell DATEI.rosy, oder to-blocks DATEI.hs -o DATEI.rosy",
+  usage: "Aufruf: to-haskell DATEI.rosy, oder to-blocks DATEI.hs -o DATEI.rosy [--encoding windows-1252]",
   cannotRead: path => `${path} lässt sich nicht lesen.`,
   cannotWrite: path => `${path} lässt sich nicht schreiben.`,
   diskIsFull: path => `${path} lässt sich nicht schreiben: Der Datenträger ist voll.`,
@@ -15,5 +15,9 @@ export const commandLine: Words["commandLine"] = {
       : `${count} lose Blöcke gehören zu keiner Funktion und stehen nicht im Haskell.`,
   textWasChanged: "Der Text wurde nach den Blöcken geändert; der Text gilt.",
   staysAsText: (what, reason) => `${what} bleibt Text. ${reason}`.trim(),
-  charactersWereReplaced: "Einige Zeichen dieser Datei sind kein UTF-8 und wurden ersetzt.",
+  notText: "Diese Datei ist kein Text in UTF-8.",
+  noCode:
+    "Diese Datei hat keinen Code: In literarischem Haskell steht Code hinter > oder zwischen \\begin{code} und \\end{code}.",
+  olderEncoding: ({encoding, number, line}) =>
+    `Diese Datei ist in der Kodierung ${encoding} gespeichert, nicht in UTF-8: siehe Zeile ${number}, „${line.trim()}“. Speichere sie in deinem Editor als UTF-8, oder setze hier --encoding ${encoding} dazu.`,
 }

@@ -263,6 +263,10 @@ export const robot = {
     "Sound": "ein Ton",
     "Say": "etwas zu sagen"
   },
+  "names": {
+    "Led1": "Licht Lampe LED Lichter Lampen LEDs Leuchte Leuchten Lämpchen",
+    "Led2": "Licht Lampe LED Lichter Lampen LEDs Leuchte Leuchten Lämpchen"
+  },
   "also": {
     "Bumper": "Wand Stoß anstoßen Stoßstange berühren Hindernis",
     "BumperLeft": "Wand Stoß anstoßen Stoßstange berühren",
@@ -284,8 +288,8 @@ export const robot = {
     "Ahead": "Abstand Entfernung weit nah Wand vorn Laser Lidar Sensor Meter messen Hindernis",
     "Scan": "Laser Lidar Scan Abstände ringsum Strahl Richtung Sensor",
     "LedColor": "Licht Lampe",
-    "Led1": "Licht Lampe Farbe leuchten blinken",
-    "Led2": "Licht Lampe Farbe leuchten blinken",
+    "Led1": "Farbe leuchten blinken",
+    "Led2": "Farbe leuchten blinken",
     "ExternalPower": "Anschluss Strom Volt Versorgung",
     "MotorPower": "Räder Antrieb aus Bremse",
     "Sound": "Ton Geräusch Musik piepen",
@@ -384,6 +388,12 @@ export const robot = {
       "CleaningStartSound": "Reinigung beginnt",
       "CleaningEndSound": "Reinigung endet"
     }
+  },
+  "actuators": {
+    "Velocity": "die Geschwindigkeit",
+    "Led1": "das erste Licht",
+    "Led2": "das zweite Licht",
+    "MotorPower": "den Strom der Motoren"
   },
   "charts": {
     "bumperLeft": "Stoßstange links",

@@ -5,13 +5,13 @@ import {robot} from "./robot.generated.ts"
 
 export const sentences: Pick<
   Words,
-  "conflicts" | "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
+  "conflicts" | "types" | "fits" | "network" | "renaming" | "projects" | "program" | "nouns" | "abilities"
 > = {
   conflicts: {
-    commands: {Velocity: "die Geschwindigkeit", Led1: "das erste Licht", Led2: "das zweite Licht"},
     bothSet: (loser, winner, what) =>
       `\`${loser}\` und \`${winner}\` stellen beide ${what} ein, und \`${winner}\` gewinnt immer.`,
-    waysOut: "Merk dir mit `Memory`, was geschehen ist, oder lass eine Funktion für beide entscheiden.",
+    waysOut: "Sag mit dem Block `zuerst … für 1 s, sonst …` (`priority`), welche Vorrang hat.",
+    goesFirst: loser => `${loser} vorlassen, 1 s lang`,
   },
   types: {
     something: "irgendetwas",
@@ -95,6 +95,10 @@ export const sentences: Pick<
       top: "steht für sich allein",
     },
     nothingCanBeJoined: "Hier kann man nichts anfügen.",
+    onlyGhcKnows: name => `Nur der Compiler kennt den Typ von \`${name}\` und weiß deshalb, ob das passt.`,
+    onlyGhcKnowsTheTypes: "Nur der Compiler kennt die Typen hier und weiß deshalb, ob das passt.",
+    onlyGhcKnowsTheClass: (type, of) =>
+      `Nur der Compiler weiß, ob \`${type}\` zu \`${of}\` gehört und ob das deshalb passt.`,
     doesNotGo: name => `${name} passt nicht hierher, wegen der Blöcke darum herum.`,
     isKnownOnlyInsideTheFunction: name =>
       `\`${name}\` ist nur in der Funktion bekannt, die den Namen vergibt, und passt deshalb nicht hierher.`,
@@ -113,6 +117,33 @@ export const sentences: Pick<
     theTypeOfThisDefinitionPromisesMore:
       "Der Typ dieser Definition verspricht mehr, als dieser Block halten kann.",
     thisBlock: "dieser Block",
+  },
+  network: {
+    noSuchFunction: name =>
+      `\`${name}\` ist keine Funktion, die hier geändert werden kann. Ändere sie im Text.`,
+    nameTaken: name => `Es gibt schon etwas mit dem Namen \`${name}\`. Wähle einen anderen Namen.`,
+    notAName: name =>
+      name === ""
+        ? "Es braucht zuerst einen Namen."
+        : `\`${name}\` kann hier kein Name sein. Ein Name ist ein Wort, das klein anfängt.`,
+    notATypeName: name =>
+      name === ""
+        ? "Es braucht zuerst einen Namen."
+        : `\`${name}\` kann nicht der Name eines Ereignisses sein. Er ist ein Wort, das groß anfängt.`,
+    noSimulate: "Das Programm sagt nicht mit `simulate`, was läuft. Deshalb kann dort nichts dazukommen.",
+    typeUnknown: name => `Der Typ von \`${name}\` ist noch nicht klar. Schreibe zuerst den Typ auf.`,
+    alreadyTakes: (name, type) => `\`${name}\` bekommt schon \`${type}\`.`,
+    alreadySends: (name, type) => `\`${name}\` sendet schon \`${type}\`.`,
+    alreadyRuns: name => `\`simulate\` führt \`${name}\` schon aus.`,
+    doesNotRun: name => `\`simulate\` führt \`${name}\` nicht unter diesem Namen aus.`,
+    takesNoEvent: name =>
+      `\`${name}\` bekommt kein Ereignis, zu dem das neue eine Alternative sein kann. Lass es beide bekommen.`,
+    takesTooMuch: name => `\`${name}\` bekommt schon neun Dinge. Mehr geht nicht.`,
+    tellsApart: (name, type) =>
+      `Fälle von \`${name}\` hängen von \`${type}\` ab. Entferne zuerst diese Fälle in den Blöcken.`,
+    doesNotTake: (name, type) => `\`${name}\` bekommt \`${type}\` nicht für sich allein.`,
+    usedElsewhere: name => `Eine andere Definition benutzt \`${name}\`. Ändere zuerst diese.`,
+    unfinished: names => `Im Text von \`${names}\` ist etwas unfertig. Schreibe es zuerst fertig.`,
   },
   renaming: {
     thisBlockIsGone: "Diesen Block gibt es nicht mehr.",
@@ -190,6 +221,7 @@ export const sentences: Pick<
     Call: "ein Aufruf einer Aufgabe",
     IO: "ein ganzes Programm",
     Task: "eine Aufgabe",
+    Priority: "ein Vorrang",
   },
   abilities: {
     Num: "eine Zahl sein",

@@ -6,7 +6,7 @@ import {robot} from "./robot.generated.ts"
 
 export const vocabulary: Pick<
   Words,
-  "constructors" | "charts" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
+  "constructors" | "charts" | "actuators" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
 > = {
   constructors: {
     ...robot.constructors,
@@ -47,6 +47,7 @@ export const vocabulary: Pick<
     Done: {parts: ["Ergebnis"], tooltip: "Beendet die Aufgabe mit einem Ergebnis. Beispiel: Done ()."},
   },
   charts: robot.charts,
+  actuators: robot.actuators,
   makesAValue: name => `Macht einen Wert mit ${name || "einem Konstruktor"}. Beispiel: ${name || "Go"}.`,
   valueLabels: robot.values,
   whats: {

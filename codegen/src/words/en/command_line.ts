@@ -1,7 +1,7 @@
 /// What `to-haskell` and `to-blocks` say in a terminal, in English.
 
 export const commandLine = {
-  usage: "Usage: to-haskell FILE.rosy, or to-blocks FILE.hs -o FILE.rosy",
+  usage: "Usage: to-haskell FILE.rosy, or to-blocks FILE.hs -o FILE.rosy [--encoding windows-1252]",
   cannotRead: (path: string) => `Cannot read ${path}.`,
   cannotWrite: (path: string) => `Cannot write ${path}.`,
   diskIsFull: (path: string) => `Cannot write ${path}: the disk is full.`,
@@ -13,5 +13,9 @@ export const commandLine = {
       : `${count} loose blocks belong to no function and are not in the Haskell.`,
   textWasChanged: "The text was changed after the blocks; the text was taken.",
   staysAsText: (what: string, reason: string) => `${what} stays as text. ${reason}`.trim(),
-  charactersWereReplaced: "Some characters of this file are not UTF-8 and were replaced.",
+  notText: "This file is not text in UTF-8.",
+  noCode:
+    "This file has no code: in literate Haskell, code stands behind > or between \\begin{code} and \\end{code}.",
+  olderEncoding: ({encoding, number, line}: {encoding: string; number: number; line: string}) =>
+    `This file is in the encoding ${encoding}, not in UTF-8: see line ${number}, “${line.trim()}”. Save it as UTF-8 in your editor, or add --encoding ${encoding} here.`,
 }

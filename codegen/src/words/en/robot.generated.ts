@@ -263,6 +263,10 @@ export const robot = {
     "Sound": "a sound",
     "Say": "something to say"
   },
+  "names": {
+    "Led1": "light lamp LED lights lamps LEDs",
+    "Led2": "light lamp LED lights lamps LEDs"
+  },
   "also": {
     "Bumper": "wall hit bump crash touch obstacle",
     "BumperLeft": "wall hit bump crash touch",
@@ -284,8 +288,8 @@ export const robot = {
     "Ahead": "distance far near wall ahead laser lidar sensor metres measure obstacle",
     "Scan": "laser lidar scan distances all around beam direction sensor",
     "LedColor": "light lamp",
-    "Led1": "light lamp colour shine blink",
-    "Led2": "light lamp colour shine blink",
+    "Led1": "colour shine blink",
+    "Led2": "colour shine blink",
     "ExternalPower": "connector supply volts",
     "MotorPower": "wheels drive off brake",
     "Sound": "beep noise music tone",
@@ -384,6 +388,12 @@ export const robot = {
       "CleaningStartSound": "cleaning starts",
       "CleaningEndSound": "cleaning ends"
     }
+  },
+  "actuators": {
+    "Velocity": "the velocity",
+    "Led1": "the first light",
+    "Led2": "the second light",
+    "MotorPower": "the power of the motors"
   },
   "charts": {
     "bumperLeft": "Left bumper",

@@ -4,10 +4,10 @@ import {robot} from "./robot.generated.ts"
 
 export const sentences = {
   conflicts: {
-    commands: {Velocity: "the velocity", Led1: "the first light", Led2: "the second light"},
     bothSet: (loser: string, winner: string, what: string) =>
       `\`${loser}\` and \`${winner}\` both set ${what}, and \`${winner}\` keeps winning.`,
-    waysOut: "Remember what happened with `Memory`, or let one function decide for both.",
+    waysOut: "Say which one goes first with the block `first … for 1 s, otherwise …` (`priority`).",
+    goesFirst: (loser: string) => `Let ${loser} go first, for 1 s`,
   },
   types: {
     something: "something",
@@ -93,6 +93,11 @@ export const sentences = {
       top: "stands by itself",
     },
     nothingCanBeJoined: "Nothing can be joined here.",
+    onlyGhcKnows: (name: string) =>
+      `Only the compiler knows the type of \`${name}\`, and so whether this fits.`,
+    onlyGhcKnowsTheTypes: "Only the compiler knows the types here, and so whether this fits.",
+    onlyGhcKnowsTheClass: (type: string, of: string) =>
+      `Only the compiler knows whether \`${type}\` belongs to \`${of}\`, and so whether this fits.`,
     doesNotGo: (name: string) => `${name} does not go here, because of what is around it.`,
     isKnownOnlyInsideTheFunction: (name: string) =>
       `\`${name}\` is known only inside the function that names it, so it cannot go here.`,
@@ -113,6 +118,34 @@ export const sentences = {
     theTypeOfThisDefinitionPromisesMore:
       "The type of this definition promises more than this block can keep.",
     thisBlock: "this block",
+  },
+  /// Why an edit of the diagram is not made.
+  network: {
+    noSuchFunction: (name: string) =>
+      `\`${name}\` is no function that can be changed here. Change it in the text.`,
+    nameTaken: (name: string) => `There is something called \`${name}\` already. Choose another name.`,
+    notAName: (name: string) =>
+      name === ""
+        ? "It needs a name first."
+        : `\`${name}\` cannot be a name here. A name is one word that starts with a small letter.`,
+    notATypeName: (name: string) =>
+      name === ""
+        ? "It needs a name first."
+        : `\`${name}\` cannot be the name of an event. It is one word that starts with a capital letter.`,
+    noSimulate: "The program does not say with `simulate` what it runs, so nothing can be added to that.",
+    typeUnknown: (name: string) => `The type of \`${name}\` is not clear yet. Write its type first.`,
+    alreadyTakes: (name: string, type: string) => `\`${name}\` takes \`${type}\` already.`,
+    alreadySends: (name: string, type: string) => `\`${name}\` sends \`${type}\` already.`,
+    alreadyRuns: (name: string) => `\`simulate\` runs \`${name}\` already.`,
+    doesNotRun: (name: string) => `\`simulate\` does not run \`${name}\` by its name.`,
+    takesNoEvent: (name: string) =>
+      `\`${name}\` takes no event that the new one could be an alternative to. Let it take both.`,
+    takesTooMuch: (name: string) => `\`${name}\` takes nine things, and there cannot be more.`,
+    tellsApart: (name: string, type: string) =>
+      `Cases of \`${name}\` depend on \`${type}\`. Remove those cases in the blocks first.`,
+    doesNotTake: (name: string, type: string) => `\`${name}\` does not take \`${type}\` on its own.`,
+    usedElsewhere: (name: string) => `Another definition uses \`${name}\`. Change that one first.`,
+    unfinished: (names: string) => `Something in the text of \`${names}\` is unfinished. Finish it first.`,
   },
   renaming: {
     thisBlockIsGone: "This block is gone.",
@@ -188,6 +221,7 @@ export const sentences = {
     Call: "a call of a task",
     IO: "a whole program",
     Task: "a task",
+    Priority: "a priority",
   },
   abilities: {
     Num: "be a number",

@@ -31,6 +31,7 @@ export const vocabulary = {
     Done: {parts: ["result"], tooltip: "Ends the task with a result. Example: Done ()."},
   },
   charts: robot.charts,
+  actuators: robot.actuators,
   makesAValue: (name: string) => `Makes a value with ${name || "a constructor"}. Example: ${name || "Go"}.`,
   valueLabels: robot.values,
   whats: {

@@ -11,6 +11,7 @@ export const blocks: Pick<
   | "patterns"
   | "raw"
   | "answers"
+  | "priority"
   | "tasks"
   | "values"
   | "operators"
@@ -288,7 +289,40 @@ export const blocks: Pick<
     askTheLastConditionAsOne: which => `Preguntar la última condición de una vez${which}`,
     askTheLastConditionInSteps: which => `Preguntar la última condición por pasos${which}`,
   },
+  priority: {
+    first: "primero",
+    for: "durante",
+    otherwise: ", si no",
+    whatGoesFirst: "lo que va primero",
+    whatGoesSecond: "lo que actúa si no",
+    theFirstKeepsTheRobot:
+      "Dos funciones mandan lo mismo: la primera conserva el robot ese tiempo tras su última orden. Ejemplo: primero retroceder durante 1 s, si no avanzar.",
+    firstForSecondsOtherwise: "primero uno, unos segundos, si no el otro",
+  },
   tasks: {
+    driveBack: "retroceder durante",
+    drivesBack: "Retrocede unos segundos y se detiene. Ejemplo: retroceder durante 1 s.",
+    turnBetween: "girar al azar entre",
+    upTo: "y",
+    leastDegrees: "ángulo menor en grados",
+    mostDegrees: "ángulo mayor en grados",
+    turnsBetween:
+      "Gira un ángulo al azar; a la izquierda es positivo. Ejemplo: girar al azar entre -90 y 90.",
+    goTo: "ir a",
+    metresAhead: "m delante,",
+    metresLeft: "m a la izquierda",
+    goesTo:
+      "Gira hacia un lugar, va recto hasta él y se detiene. Se mide desde donde empezó el programa; un número negativo es detrás o a la derecha. Ejemplo: ir a 1 m delante, 0,5 m a la izquierda.",
+    curve: "avanzar y girar",
+    untilAnObstacle: "grados por segundo hasta un choque o un borde",
+    degreesASecond: "grados por segundo",
+    curves:
+      "Avanza en curva hasta que se pulsa un parachoques o hay un borde, y se detiene; la izquierda es positiva, 0 es recto. Ejemplo: avanzar y girar -20 grados por segundo.",
+    either: "o bien",
+    or: "o bien",
+    oneStep: "una tarea",
+    otherStep: "la otra tarea",
+    eitherByChance: "Hace una de las dos, al azar. Ejemplo: o bien girar 90 o bien girar -90.",
     thereIsNoStepHereYet: "Aquí todavía no hay ningún paso.",
     putAtLeastOneStepInto: "Pon al menos un paso en la pila.",
     theLastStepMustDoSomething: "El último paso tiene que hacer algo.",

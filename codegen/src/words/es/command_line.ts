@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 
 export const commandLine: Words["commandLine"] = {
-  usage: "Uso: to-haskell ARCHIVO.rosy, o to-blocks ARCHIVO.hs -o ARCHIVO.rosy",
+  usage: "Uso: to-haskell ARCHIVO.rosy, o to-blocks ARCHIVO.hs -o ARCHIVO.rosy [--encoding windows-1252]",
   cannotRead: path => `No se puede leer ${path}.`,
   cannotWrite: path => `No se puede escribir ${path}.`,
   diskIsFull: path => `No se puede escribir ${path}: el disco está lleno.`,
@@ -15,5 +15,9 @@ export const commandLine: Words["commandLine"] = {
       : `${count} bloques sueltos no pertenecen a ninguna función y no están en el Haskell.`,
   textWasChanged: "El texto se cambió después que los bloques; se tomó el texto.",
   staysAsText: (what, reason) => `${what} queda como texto. ${reason}`.trim(),
-  charactersWereReplaced: "Algunos caracteres de este archivo no son UTF-8 y se han reemplazado.",
+  notText: "Este archivo no es texto en UTF-8.",
+  noCode:
+    "Este archivo no tiene código: en Haskell literario, el código va detrás de > o entre \\begin{code} y \\end{code}.",
+  olderEncoding: ({encoding, number, line}) =>
+    `Este archivo está en la codificación ${encoding}, no en UTF-8: mira la línea ${number}, «${line.trim()}». Guárdalo como UTF-8 en tu editor, o añade aquí --encoding ${encoding}.`,
 }

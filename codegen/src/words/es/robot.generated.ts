@@ -263,6 +263,10 @@ export const robot = {
     "Sound": "un sonido",
     "Say": "algo que decir"
   },
+  "names": {
+    "Led1": "luz lámpara LED luces lámparas LEDs",
+    "Led2": "luz lámpara LED luces lámparas LEDs"
+  },
   "also": {
     "Bumper": "pared muro choque chocar golpe tocar parachoques obstáculo",
     "BumperLeft": "pared muro choque chocar golpe tocar parachoques",
@@ -284,8 +288,8 @@ export const robot = {
     "Ahead": "distancia lejos cerca pared delante láser lidar sensor metros medir obstáculo",
     "Scan": "láser lidar barrido distancias alrededor haz dirección sensor",
     "LedColor": "luz lámpara color",
-    "Led1": "luz lámpara color brillar encender parpadear",
-    "Led2": "luz lámpara color brillar encender parpadear",
+    "Led1": "color brillar encender parpadear",
+    "Led2": "color brillar encender parpadear",
     "ExternalPower": "conector corriente alimentación voltios",
     "MotorPower": "motor ruedas apagar freno",
     "Sound": "sonido pitido pitar ruido música tono",
@@ -384,6 +388,12 @@ export const robot = {
       "CleaningStartSound": "empieza la limpieza",
       "CleaningEndSound": "termina la limpieza"
     }
+  },
+  "actuators": {
+    "Velocity": "la velocidad",
+    "Led1": "la primera luz",
+    "Led2": "la segunda luz",
+    "MotorPower": "la corriente de los motores"
   },
   "charts": {
     "bumperLeft": "Parachoques izquierdo",

@@ -5,13 +5,13 @@ import {robot} from "./robot.generated.ts"
 
 export const sentences: Pick<
   Words,
-  "conflicts" | "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
+  "conflicts" | "types" | "fits" | "network" | "renaming" | "projects" | "program" | "nouns" | "abilities"
 > = {
   conflicts: {
-    commands: {Velocity: "la velocidad", Led1: "la primera luz", Led2: "la segunda luz"},
     bothSet: (loser, winner, what) =>
       `\`${loser}\` y \`${winner}\` deciden las dos ${what}, y siempre gana \`${winner}\`.`,
-    waysOut: "Recuerda lo que ha pasado con `Memory`, o deja que una sola función decida por las dos.",
+    waysOut: "Di cuál va primero con el bloque `primero … durante 1 s, si no …` (`priority`).",
+    goesFirst: loser => `Dejar que ${loser} vaya primero, durante 1 s`,
   },
   types: {
     something: "algo",
@@ -93,6 +93,10 @@ export const sentences: Pick<
       top: "va por su cuenta",
     },
     nothingCanBeJoined: "Aquí no se puede unir nada.",
+    onlyGhcKnows: name => `Solo el compilador conoce el tipo de \`${name}\` y sabe por eso si esto encaja.`,
+    onlyGhcKnowsTheTypes: "Solo el compilador conoce los tipos de aquí y sabe por eso si esto encaja.",
+    onlyGhcKnowsTheClass: (type, of) =>
+      `Solo el compilador sabe si \`${type}\` pertenece a \`${of}\` y, por tanto, si esto encaja.`,
     doesNotGo: name => `${name} no encaja aquí, por lo que hay alrededor.`,
     isKnownOnlyInsideTheFunction: name =>
       `\`${name}\` solo se conoce dentro de la función que da ese nombre; por eso no puede ir aquí.`,
@@ -111,6 +115,32 @@ export const sentences: Pick<
     theTypeOfThisDefinitionPromisesMore:
       "El tipo de esta definición promete más de lo que este bloque puede cumplir.",
     thisBlock: "este bloque",
+  },
+  network: {
+    noSuchFunction: name => `\`${name}\` no es una función que se pueda cambiar aquí. Cámbiala en el texto.`,
+    nameTaken: name => `Ya hay algo que se llama \`${name}\`. Elige otro nombre.`,
+    notAName: name =>
+      name === ""
+        ? "Primero necesita un nombre."
+        : `\`${name}\` no puede ser un nombre aquí. Un nombre es una palabra que empieza con minúscula.`,
+    notATypeName: name =>
+      name === ""
+        ? "Primero necesita un nombre."
+        : `\`${name}\` no puede ser el nombre de un evento. Es una palabra que empieza con mayúscula.`,
+    noSimulate: "El programa no dice con `simulate` qué ejecuta, así que no se puede añadir nada ahí.",
+    typeUnknown: name => `El tipo de \`${name}\` todavía no está claro. Escribe primero su tipo.`,
+    alreadyTakes: (name, type) => `\`${name}\` ya recibe \`${type}\`.`,
+    alreadySends: (name, type) => `\`${name}\` ya envía \`${type}\`.`,
+    alreadyRuns: name => `\`simulate\` ya ejecuta \`${name}\`.`,
+    doesNotRun: name => `\`simulate\` no ejecuta \`${name}\` por su nombre.`,
+    takesNoEvent: name =>
+      `\`${name}\` no recibe ningún evento del que el nuevo pueda ser una alternativa. Haz que reciba los dos.`,
+    takesTooMuch: name => `\`${name}\` ya recibe nueve cosas y no puede haber más.`,
+    tellsApart: (name, type) =>
+      `Hay casos de \`${name}\` que dependen de \`${type}\`. Quita primero esos casos en los bloques.`,
+    doesNotTake: (name, type) => `\`${name}\` no recibe \`${type}\` por separado.`,
+    usedElsewhere: name => `Otra definición usa \`${name}\`. Cambia primero esa.`,
+    unfinished: names => `Algo en el texto de \`${names}\` está sin terminar. Termínalo primero.`,
   },
   renaming: {
     thisBlockIsGone: "Este bloque ya no está.",
@@ -186,6 +216,7 @@ export const sentences: Pick<
     Call: "una llamada a una tarea",
     IO: "un programa entero",
     Task: "una tarea",
+    Priority: "una prioridad",
   },
   abilities: {
     Num: "ser un número",

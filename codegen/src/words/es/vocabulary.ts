@@ -6,7 +6,7 @@ import {robot} from "./robot.generated.ts"
 
 export const vocabulary: Pick<
   Words,
-  "constructors" | "charts" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
+  "constructors" | "charts" | "actuators" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
 > = {
   constructors: {
     ...robot.constructors,
@@ -47,6 +47,7 @@ export const vocabulary: Pick<
     Done: {parts: ["resultado"], tooltip: "Termina la tarea con un resultado. Ejemplo: Done ()."},
   },
   charts: robot.charts,
+  actuators: robot.actuators,
   makesAValue: name => `Crea un valor con ${name || "un constructor"}. Ejemplo: ${name || "Go"}.`,
   valueLabels: robot.values,
   whats: {

@@ -11,6 +11,7 @@ export const blocks: Pick<
   | "patterns"
   | "raw"
   | "answers"
+  | "priority"
   | "tasks"
   | "values"
   | "operators"
@@ -293,7 +294,40 @@ export const blocks: Pick<
     askTheLastConditionAsOne: which => `Demander la dernière condition d'un coup${which}`,
     askTheLastConditionInSteps: which => `Demander la dernière condition par étapes${which}`,
   },
+  priority: {
+    first: "d'abord",
+    for: "pendant",
+    otherwise: ", sinon",
+    whatGoesFirst: "ce qui passe d'abord",
+    whatGoesSecond: "ce qui agit sinon",
+    theFirstKeepsTheRobot:
+      "Deux fonctions commandent la même chose : la première garde le robot pendant ce temps après son dernier ordre. Exemple : d'abord reculer pendant 1 s, sinon avancer.",
+    firstForSecondsOtherwise: "d'abord l'un, pendant quelques secondes, sinon l'autre",
+  },
   tasks: {
+    driveBack: "reculer pendant",
+    drivesBack: "Recule quelques secondes, puis s'arrête. Exemple : reculer pendant 1 s.",
+    turnBetween: "tourner au hasard entre",
+    upTo: "et",
+    leastDegrees: "plus petit angle en degrés",
+    mostDegrees: "plus grand angle en degrés",
+    turnsBetween:
+      "Tourne d'un angle au hasard ; à gauche est positif. Exemple : tourner au hasard entre -90 et 90.",
+    goTo: "aller à",
+    metresAhead: "m devant,",
+    metresLeft: "m à gauche",
+    goesTo:
+      "Se tourne vers un endroit, y va tout droit et s'arrête. La mesure part de là où le programme a commencé ; un nombre négatif est derrière ou à droite. Exemple : aller à 1 m devant, 0,5 m à gauche.",
+    curve: "avancer et tourner de",
+    untilAnObstacle: "degrés par seconde jusqu'à un choc ou un bord",
+    degreesASecond: "degrés par seconde",
+    curves:
+      "Avance en courbe jusqu'à ce qu'un pare-chocs soit enfoncé ou qu'il y ait un bord, puis s'arrête ; la gauche est positive, 0 est tout droit. Exemple : avancer et tourner de -20 degrés par seconde.",
+    either: "soit",
+    or: "soit",
+    oneStep: "une tâche",
+    otherStep: "l'autre tâche",
+    eitherByChance: "Fait l'une des deux, au hasard. Exemple : soit tourner 90, soit tourner -90.",
     thereIsNoStepHereYet: "Il n'y a pas encore d'étape ici.",
     putAtLeastOneStepInto: "Mets au moins une étape dans la pile.",
     theLastStepMustDoSomething: "La dernière étape doit faire quelque chose.",

@@ -3,7 +3,8 @@
 import type {Words} from "../index.ts"
 
 export const commandLine: Words["commandLine"] = {
-  usage: "Utilisation : to-haskell FICHIER.rosy, ou to-blocks FICHIER.hs -o FICHIER.rosy",
+  usage:
+    "Utilisation : to-haskell FICHIER.rosy, ou to-blocks FICHIER.hs -o FICHIER.rosy [--encoding windows-1252]",
   cannotRead: path => `Impossible de lire ${path}.`,
   cannotWrite: path => `Impossible d'écrire ${path}.`,
   diskIsFull: path => `Impossible d'écrire ${path} : le disque est plein.`,
@@ -15,5 +16,9 @@ export const commandLine: Words["commandLine"] = {
       : `${count} blocs isolés n'appartiennent à aucune fonction et ne sont pas dans le Haskell.`,
   textWasChanged: "Le texte a été modifié après les blocs ; c'est le texte qui a été pris.",
   staysAsText: (what, reason) => `${what} reste du texte. ${reason}`.trim(),
-  charactersWereReplaced: "Certains caractères de ce fichier ne sont pas en UTF-8 et ont été remplacés.",
+  notText: "Ce fichier n'est pas du texte en UTF-8.",
+  noCode:
+    "Ce fichier ne contient pas de code : en Haskell lettré, le code se trouve derrière > ou entre \\begin{code} et \\end{code}.",
+  olderEncoding: ({encoding, number, line}) =>
+    `Ce fichier est dans l'encodage ${encoding}, pas en UTF-8 : voir la ligne ${number}, « ${line.trim()} ». Enregistre-le en UTF-8 dans ton éditeur, ou ajoute ici --encoding ${encoding}.`,
 }

@@ -263,6 +263,10 @@ export const robot = {
     "Sound": "un son",
     "Say": "quelque chose à dire"
   },
+  "names": {
+    "Led1": "lumière lampe LED lumières lampes LEDs voyant voyants",
+    "Led2": "lumière lampe LED lumières lampes LEDs voyant voyants"
+  },
   "also": {
     "Bumper": "mur choc cogner heurter pare-chocs toucher obstacle collision",
     "BumperLeft": "mur choc cogner heurter pare-chocs toucher",
@@ -284,8 +288,8 @@ export const robot = {
     "Ahead": "distance loin près mur devant laser lidar capteur mètres mesurer obstacle",
     "Scan": "laser lidar balayage distances autour faisceau direction capteur",
     "LedColor": "lumière lampe",
-    "Led1": "lumière lampe couleur allumer éteindre briller clignoter",
-    "Led2": "lumière lampe couleur allumer éteindre briller clignoter",
+    "Led1": "couleur allumer éteindre briller clignoter",
+    "Led2": "couleur allumer éteindre briller clignoter",
     "ExternalPower": "prise connecteur alimentation courant volts",
     "MotorPower": "roues moteur éteindre frein",
     "Sound": "bip bruit musique note",
@@ -384,6 +388,12 @@ export const robot = {
       "CleaningStartSound": "début du nettoyage",
       "CleaningEndSound": "fin du nettoyage"
     }
+  },
+  "actuators": {
+    "Velocity": "la vitesse",
+    "Led1": "la première lumière",
+    "Led2": "la deuxième lumière",
+    "MotorPower": "l'alimentation des moteurs"
   },
   "charts": {
     "bumperLeft": "Pare-chocs gauche",

@@ -5,13 +5,13 @@ import {robot} from "./robot.generated.ts"
 
 export const sentences: Pick<
   Words,
-  "conflicts" | "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
+  "conflicts" | "types" | "fits" | "network" | "renaming" | "projects" | "program" | "nouns" | "abilities"
 > = {
   conflicts: {
-    commands: {Velocity: "la vitesse", Led1: "la première lumière", Led2: "la deuxième lumière"},
     bothSet: (loser, winner, what) =>
       `\`${loser}\` et \`${winner}\` règlent toutes les deux ${what}, et c'est toujours \`${winner}\` qui gagne.`,
-    waysOut: "Retiens ce qui s'est passé avec `Memory`, ou laisse une seule fonction décider pour les deux.",
+    waysOut: "Dis laquelle passe d'abord avec le bloc `d'abord … pendant 1 s, sinon …` (`priority`).",
+    goesFirst: loser => `Laisser passer ${loser} d'abord, pendant 1 s`,
   },
   types: {
     something: "quelque chose",
@@ -94,6 +94,10 @@ export const sentences: Pick<
       top: "se place tout seul",
     },
     nothingCanBeJoined: "Rien ne peut être attaché ici.",
+    onlyGhcKnows: name => `Seul le compilateur connaît le type de \`${name}\` et sait donc si cela convient.`,
+    onlyGhcKnowsTheTypes: "Seul le compilateur connaît les types ici et sait donc si cela convient.",
+    onlyGhcKnowsTheClass: (type, of) =>
+      `Seul le compilateur sait si \`${type}\` appartient à \`${of}\`, et donc si cela convient.`,
     doesNotGo: name => `${name} ne va pas ici, à cause de ce qu'il y a autour.`,
     isKnownOnlyInsideTheFunction: name =>
       `\`${name}\` est connu seulement dans la fonction qui donne ce nom, donc il ne va pas ici.`,
@@ -111,6 +115,33 @@ export const sentences: Pick<
     hasPartsNot: (name, wanted, found) => `${name} a ${parts(wanted)}, pas ${found}.`,
     theTypeOfThisDefinitionPromisesMore: "Le type de cette définition promet plus que ce bloc ne peut tenir.",
     thisBlock: "ce bloc",
+  },
+  network: {
+    noSuchFunction: name =>
+      `\`${name}\` n'est pas une fonction que l'on peut modifier ici. Modifie-la dans le texte.`,
+    nameTaken: name => `Quelque chose s'appelle déjà \`${name}\`. Choisis un autre nom.`,
+    notAName: name =>
+      name === ""
+        ? "Il faut d'abord un nom."
+        : `\`${name}\` ne peut pas être un nom ici. Un nom est un mot qui commence par une minuscule.`,
+    notATypeName: name =>
+      name === ""
+        ? "Il faut d'abord un nom."
+        : `\`${name}\` ne peut pas être le nom d'un événement. C'est un mot qui commence par une majuscule.`,
+    noSimulate: "Le programme ne dit pas avec `simulate` ce qu'il exécute ; on ne peut donc rien y ajouter.",
+    typeUnknown: name => `Le type de \`${name}\` n'est pas encore clair. Écris d'abord son type.`,
+    alreadyTakes: (name, type) => `\`${name}\` reçoit déjà \`${type}\`.`,
+    alreadySends: (name, type) => `\`${name}\` envoie déjà \`${type}\`.`,
+    alreadyRuns: name => `\`simulate\` exécute déjà \`${name}\`.`,
+    doesNotRun: name => `\`simulate\` n'exécute pas \`${name}\` par son nom.`,
+    takesNoEvent: name =>
+      `\`${name}\` ne reçoit aucun événement dont le nouveau pourrait être une alternative. Fais-lui recevoir les deux.`,
+    takesTooMuch: name => `\`${name}\` reçoit déjà neuf choses ; il ne peut pas y en avoir plus.`,
+    tellsApart: (name, type) =>
+      `Des cas de \`${name}\` dépendent de \`${type}\`. Enlève d'abord ces cas dans les blocs.`,
+    doesNotTake: (name, type) => `\`${name}\` ne reçoit pas \`${type}\` seul.`,
+    usedElsewhere: name => `Une autre définition utilise \`${name}\`. Change d'abord celle-là.`,
+    unfinished: names => `Le texte de \`${names}\` n'est pas terminé. Termine-le d'abord.`,
   },
   renaming: {
     thisBlockIsGone: "Ce bloc n'existe plus.",
@@ -186,6 +217,7 @@ export const sentences: Pick<
     Call: "un appel de tâche",
     IO: "un programme entier",
     Task: "une tâche",
+    Priority: "une priorité",
   },
   // After "peut" and of nouns of both genders: no participle that would have to agree.
   abilities: {

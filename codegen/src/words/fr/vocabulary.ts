@@ -6,7 +6,7 @@ import {robot} from "./robot.generated.ts"
 
 export const vocabulary: Pick<
   Words,
-  "constructors" | "charts" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
+  "constructors" | "charts" | "actuators" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
 > = {
   constructors: {
     ...robot.constructors,
@@ -47,6 +47,7 @@ export const vocabulary: Pick<
     Done: {parts: ["résultat"], tooltip: "Termine la tâche avec un résultat. Exemple : Done ()."},
   },
   charts: robot.charts,
+  actuators: robot.actuators,
   makesAValue: name => `Fabrique une valeur avec ${name || "un constructeur"}. Exemple : ${name || "Go"}.`,
   valueLabels: robot.values,
   whats: {

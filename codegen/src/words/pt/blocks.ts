@@ -11,6 +11,7 @@ export const blocks: Pick<
   | "patterns"
   | "raw"
   | "answers"
+  | "priority"
   | "tasks"
   | "values"
   | "operators"
@@ -288,7 +289,39 @@ export const blocks: Pick<
     askTheLastConditionAsOne: which => `Perguntar a última condição de uma vez${which}`,
     askTheLastConditionInSteps: which => `Perguntar a última condição em passos${which}`,
   },
+  priority: {
+    first: "primeiro",
+    for: "por",
+    otherwise: ", senão",
+    whatGoesFirst: "o que vai primeiro",
+    whatGoesSecond: "o que age senão",
+    theFirstKeepsTheRobot:
+      "Duas funções comandam o mesmo: a primeira fica com o robô esse tempo após o seu último comando. Exemplo: primeiro recuar por 1 s, senão avançar.",
+    firstForSecondsOtherwise: "primeiro um, por alguns segundos, senão o outro",
+  },
   tasks: {
+    driveBack: "recue por",
+    drivesBack: "Recua alguns segundos e depois para. Exemplo: recue por 1 s.",
+    turnBetween: "vire ao acaso entre",
+    upTo: "e",
+    leastDegrees: "menor ângulo em graus",
+    mostDegrees: "maior ângulo em graus",
+    turnsBetween: "Vira um ângulo ao acaso; à esquerda é positivo. Exemplo: vire ao acaso entre -90 e 90.",
+    goTo: "vá a",
+    metresAhead: "m à frente,",
+    metresLeft: "m à esquerda",
+    goesTo:
+      "Vira para um lugar, vai reto até ele e para. Mede-se de onde o programa começou; um número negativo é atrás ou à direita. Exemplo: vá a 1 m à frente, 0,5 m à esquerda.",
+    curve: "ande e vire",
+    untilAnObstacle: "graus por segundo até uma batida ou uma beira",
+    degreesASecond: "graus por segundo",
+    curves:
+      "Anda em curva até um para-choque ser pressionado ou haver uma beira, e para; esquerda é positivo, 0 é reto. Exemplo: ande e vire -20 graus por segundo.",
+    either: "ou",
+    or: "ou",
+    oneStep: "uma tarefa",
+    otherStep: "a outra tarefa",
+    eitherByChance: "Faz uma das duas, ao acaso. Exemplo: ou vire 90 ou vire -90.",
     thereIsNoStepHereYet: "Ainda não há um passo aqui.",
     putAtLeastOneStepInto: "Ponha pelo menos um passo na pilha.",
     theLastStepMustDoSomething: "O último passo tem que fazer alguma coisa.",

@@ -263,6 +263,10 @@ export const robot = {
     "Sound": "um som",
     "Say": "algo para dizer"
   },
+  "names": {
+    "Led1": "luz lâmpada LED luzes lâmpadas LEDs",
+    "Led2": "luz lâmpada LED luzes lâmpadas LEDs"
+  },
   "also": {
     "Bumper": "parede bater batida colidir colisão tocar obstáculo para-choque",
     "BumperLeft": "parede bater batida colidir tocar para-choque",
@@ -284,8 +288,8 @@ export const robot = {
     "Ahead": "distância longe perto parede frente laser lidar sensor metros medir obstáculo",
     "Scan": "laser lidar varredura distâncias em volta feixe direção sensor",
     "LedColor": "luz lâmpada",
-    "Led1": "luz lâmpada cor brilhar acender piscar",
-    "Led2": "luz lâmpada cor brilhar acender piscar",
+    "Led1": "cor brilhar acender piscar",
+    "Led2": "cor brilhar acender piscar",
     "ExternalPower": "conector fonte volts",
     "MotorPower": "rodas dirigir desligar freio",
     "Sound": "bipe barulho música tom som",
@@ -384,6 +388,12 @@ export const robot = {
       "CleaningStartSound": "começo da limpeza",
       "CleaningEndSound": "fim da limpeza"
     }
+  },
+  "actuators": {
+    "Velocity": "a velocidade",
+    "Led1": "a primeira luz",
+    "Led2": "a segunda luz",
+    "MotorPower": "a energia dos motores"
   },
   "charts": {
     "bumperLeft": "Para-choque esquerdo",

@@ -5,13 +5,13 @@ import {robot} from "./robot.generated.ts"
 
 export const sentences: Pick<
   Words,
-  "conflicts" | "types" | "fits" | "renaming" | "projects" | "program" | "nouns" | "abilities"
+  "conflicts" | "types" | "fits" | "network" | "renaming" | "projects" | "program" | "nouns" | "abilities"
 > = {
   conflicts: {
-    commands: {Velocity: "a velocidade", Led1: "a primeira luz", Led2: "a segunda luz"},
     bothSet: (loser, winner, what) =>
       `\`${loser}\` e \`${winner}\` mudam ${what}, e \`${winner}\` sempre ganha.`,
-    waysOut: "Lembre com `Memory` o que aconteceu, ou deixe uma só função decidir pelas duas.",
+    waysOut: "Diga qual vai primeiro com o bloco `primeiro … por 1 s, senão …` (`priority`).",
+    goesFirst: loser => `Dar a vez a ${loser}, por 1 s`,
   },
   types: {
     something: "alguma coisa",
@@ -94,6 +94,10 @@ export const sentences: Pick<
       top: "fica sozinho",
     },
     nothingCanBeJoined: "Aqui não dá para encaixar nada.",
+    onlyGhcKnows: name => `Só o compilador conhece o tipo de \`${name}\` e sabe por isso se isto encaixa.`,
+    onlyGhcKnowsTheTypes: "Só o compilador conhece os tipos aqui e sabe por isso se isto encaixa.",
+    onlyGhcKnowsTheClass: (type, of) =>
+      `Só o compilador sabe se \`${type}\` pertence a \`${of}\` e, portanto, se isto encaixa.`,
     doesNotGo: name => `${name} não cabe aqui, por causa do que está em volta.`,
     isKnownOnlyInsideTheFunction: name =>
       `\`${name}\` só é conhecido dentro da função que cria esse nome, por isso não cabe aqui.`,
@@ -111,6 +115,32 @@ export const sentences: Pick<
     theTypeOfThisDefinitionPromisesMore:
       "O tipo desta definição promete mais do que este bloco pode cumprir.",
     thisBlock: "este bloco",
+  },
+  network: {
+    noSuchFunction: name => `\`${name}\` não é uma função que se possa mudar aqui. Mude-a no texto.`,
+    nameTaken: name => `Já existe algo chamado \`${name}\`. Escolha outro nome.`,
+    notAName: name =>
+      name === ""
+        ? "Primeiro falta um nome."
+        : `\`${name}\` não pode ser um nome aqui. Um nome é uma palavra que começa com letra minúscula.`,
+    notATypeName: name =>
+      name === ""
+        ? "Primeiro falta um nome."
+        : `\`${name}\` não pode ser o nome de um evento. É uma palavra que começa com letra maiúscula.`,
+    noSimulate: "O programa não diz com `simulate` o que executa; por isso nada pode ser acrescentado ali.",
+    typeUnknown: name => `O tipo de \`${name}\` ainda não está claro. Escreva primeiro o tipo.`,
+    alreadyTakes: (name, type) => `\`${name}\` já recebe \`${type}\`.`,
+    alreadySends: (name, type) => `\`${name}\` já envia \`${type}\`.`,
+    alreadyRuns: name => `\`simulate\` já executa \`${name}\`.`,
+    doesNotRun: name => `\`simulate\` não executa \`${name}\` pelo nome.`,
+    takesNoEvent: name =>
+      `\`${name}\` não recebe nenhum evento do qual o novo possa ser uma alternativa. Faça-a receber os dois.`,
+    takesTooMuch: name => `\`${name}\` já recebe nove coisas, e não pode haver mais.`,
+    tellsApart: (name, type) =>
+      `Há casos de \`${name}\` que dependem de \`${type}\`. Remova primeiro esses casos nos blocos.`,
+    doesNotTake: (name, type) => `\`${name}\` não recebe \`${type}\` sozinho.`,
+    usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
+    unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
   },
   renaming: {
     thisBlockIsGone: "Este bloco não existe mais.",
@@ -186,6 +216,7 @@ export const sentences: Pick<
     Call: "uma chamada de uma tarefa",
     IO: "um programa inteiro",
     Task: "uma tarefa",
+    Priority: "uma prioridade",
   },
   abilities: {
     Num: "ser um número",

@@ -6,7 +6,7 @@ import {robot} from "./robot.generated.ts"
 
 export const vocabulary: Pick<
   Words,
-  "constructors" | "charts" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
+  "constructors" | "charts" | "actuators" | "makesAValue" | "valueLabels" | "whats" | "anyOf" | "samples"
 > = {
   constructors: {
     ...robot.constructors,
@@ -46,6 +46,7 @@ export const vocabulary: Pick<
     Done: {parts: ["resultado"], tooltip: "Termina a tarefa com um resultado. Exemplo: Done ()."},
   },
   charts: robot.charts,
+  actuators: robot.actuators,
   makesAValue: name => `Faz um valor com ${name || "um construtor"}. Exemplo: ${name || "Go"}.`,
   valueLabels: robot.values,
   whats: {

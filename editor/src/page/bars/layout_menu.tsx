@@ -12,10 +12,10 @@ import {
   type Tree,
   visibleTree,
 } from "../../state/arrangement.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {usePopup} from "../../ui/controls.tsx"
+import {ArrangeIcon, PartIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {usePopup} from "../controls.tsx"
-import {ArrangeIcon, PartIcon} from "../icons.tsx"
 
 export function LayoutMenu(): VNode {
   const {open, box, button, toggle} = usePopup("arrange")

@@ -3,11 +3,11 @@
 import type {VNode} from "preact"
 import {guidePage} from "../../help/help_links.ts"
 import type {Theme} from "../../state/page_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {SegmentedControl, usePopup} from "../../ui/controls.tsx"
+import {MoreIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
 import {languages} from "../../words/language_choice.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {SegmentedControl, usePopup} from "../controls.tsx"
-import {MoreIcon} from "../icons.tsx"
 import {UndoRedo} from "./run_controls.tsx"
 
 const themes: readonly Theme[] = ["auto", "light", "dark"]
@@ -82,7 +82,7 @@ function MenuItems({close}: {close: () => void}): VNode {
         {words.guide.menu}
       </a>
       <a class="item" target="_blank" rel="noopener" href="licenses.txt">
-        {words.about}
+        {words.about(import.meta.env["VITE_ROSY_VERSION"])}
       </a>
       <hr />
       <p class="label">{words.theme}</p>

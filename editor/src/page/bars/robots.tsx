@@ -3,11 +3,11 @@
 import type {VNode} from "preact"
 import {useEffect, useRef, useState} from "preact/hooks"
 import {isDriving} from "../../state/robot_ownership.ts"
-import type {RobotName} from "../../state/robots.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {Dialog} from "../../ui/controls.tsx"
+import {TextEntry} from "../../ui/text_entry.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {Dialog} from "../controls.tsx"
-import {TextEntry} from "../text_entry.tsx"
+import {robotHint} from "./robot_hint.ts"
 
 const choice = () => document.querySelector<HTMLElement>(".robot-choice")
 
@@ -30,7 +30,7 @@ export function RobotBar(): VNode | null {
         <b>{name}</b>
         <span class={`lamp ${link}`} aria-hidden="true" />
         <span data-testid="robot-link">{stopped ? w.stopped : w.link[link]}</span>
-        {!stopped && link !== "connected" && why !== "" && <span class="quiet why">{why}</span>}
+        {!stopped && why !== "" && <span class="quiet why">{why}</span>}
       </p>
       {link === "connected" && !stopped && (
         <p class="robot-facts quiet">
@@ -174,7 +174,7 @@ function Choices(): VNode {
           <Robot
             key={robot.name}
             name={robot.name}
-            hint={holder(robot)}
+            hint={robotHint(robot)}
             current={robot.yours && held !== null}
             choose={
               robot.holder === null
@@ -184,6 +184,7 @@ function Choices(): VNode {
           />
         ))}
       </ul>
+      {offered?.discovers && !offered.locked && <p class="quiet">{w.discovers}</p>}
       {offered?.locked && <Lock />}
       {refused !== null && (
         <p class="refused" role="alert">
@@ -192,11 +193,6 @@ function Choices(): VNode {
       )}
     </>
   )
-}
-
-function holder(robot: RobotName): string {
-  if (robot.yours) return words.robots.yours
-  return robot.holder === null ? words.robots.free : words.robots.has(robot.holder)
 }
 
 interface RobotProps {

@@ -2,11 +2,11 @@
 
 import type {VNode} from "preact"
 import {awaitsProgram} from "../../state/page_state.ts"
-import {isActive} from "../../state/run_state.ts"
+import {isActive} from "../../state/runs/run_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {IconButton} from "../../ui/controls.tsx"
+import {PlayIcon, RedoIcon, StopIcon, UndoIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {IconButton} from "../controls.tsx"
-import {PlayIcon, RedoIcon, StopIcon, UndoIcon} from "../icons.tsx"
 
 export function UndoRedo(): VNode {
   const desk = useController()
@@ -43,7 +43,10 @@ export function RunButton(): VNode {
       onClick={() => (active ? desk.store.dispatch({kind: "stop-pressed"}) : desk.run())}
     >
       {active ? <StopIcon /> : <PlayIcon />}
-      <span>{active ? words.stop : words.run}</span>
+      {/* The other word keeps the width, so that nothing moves. */}
+      <span class="run-words" data-other={active ? words.run : words.stop}>
+        {active ? words.stop : words.run}
+      </span>
     </button>
   )
 }

@@ -1,12 +1,13 @@
 /// Top bar: program name, view switch, Run. On a phone also the bottom bar: the visible region, and Run within reach of the thumb.
 
-import type {VNode} from "preact"
+import type {RefObject, VNode} from "preact"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import {type Region, setVisible, type View, viewOf} from "../../state/arrangement.ts"
 import {awaitsProgram} from "../../state/page_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {SegmentedControl} from "../../ui/controls.tsx"
+import {BlocksIcon, DiagramIcon, LogoIcon, RoomIcon, TextIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {SegmentedControl} from "../controls.tsx"
-import {BlocksIcon, DiagramIcon, LogoIcon, RoomIcon, TextIcon} from "../icons.tsx"
 import {LayoutMenu} from "./layout_menu.tsx"
 import {MainMenu} from "./main_menu.tsx"
 import {RunButton, UndoRedo} from "./run_controls.tsx"
@@ -14,9 +15,12 @@ import {RunButton, UndoRedo} from "./run_controls.tsx"
 export function TopBar(): VNode {
   const desk = useController()
   const size = usePageState(s => s.size)
-  if (usePageState(s => s.embedded)) return <EmbeddedBar />
+  const bar = useRef<HTMLElement>(null)
+  const embedded = usePageState(s => s.embedded)
+  useFullness(bar)
+  if (embedded) return <EmbeddedBar />
   return (
-    <header class="topbar">
+    <header class="topbar" ref={bar}>
       <h1 class="logo">
         <LogoIcon />
         <span>{words.rosy}</span>
@@ -47,6 +51,28 @@ export function TopBar(): VNode {
     </header>
   )
 }
+
+/// Sets `data-full` of a bar that has no room for all that is in it: at 1 and more the style sheet leaves out what the menu has as well.
+/// How wide words are depends on the language, so it is measured.
+function useFullness(bar: RefObject<HTMLElement>): void {
+  useLayoutEffect(() => {
+    const element = bar.current
+    if (element === null) return
+    const measure = () => {
+      for (let full = 0; full <= fullest; full++) {
+        element.dataset["full"] = String(full)
+        if (element.scrollWidth <= element.clientWidth) return
+      }
+    }
+    const watcher = new ResizeObserver(measure)
+    watcher.observe(element)
+    for (const part of element.children) watcher.observe(part)
+    return () => watcher.disconnect()
+  })
+}
+
+/// My programs, the word beside the logo, the word of the diagram, lessons and examples.
+const fullest = 4
 
 /// What an embedded page needs: the program's name, Run, and the way to a page of its own.
 function EmbeddedBar(): VNode {
@@ -123,6 +149,7 @@ function DiagramSwitch(): VNode {
     <button
       type="button"
       class="plain diagram-switch"
+      aria-label={words.diagram.show}
       aria-pressed={shown}
       title={words.diagram.showHint}
       onClick={() =>
@@ -130,7 +157,7 @@ function DiagramSwitch(): VNode {
       }
     >
       <DiagramIcon />
-      {words.diagram.show}
+      <span>{words.diagram.show}</span>
     </button>
   )
 }

@@ -2,13 +2,13 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
-import {drawThumbnail} from "../../room/world_drawing.ts"
 import type {Example} from "../../state/page_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {Dialog, TextWithCode} from "../../ui/controls.tsx"
+import {drawThumbnail} from "../../views/room/world_drawing.ts"
 import {words} from "../../words/index.ts"
 import {wordedText} from "../../words/worker_sentences.ts"
 import type {World} from "../../worlds/world.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {Dialog, TextWithCode} from "../controls.tsx"
 
 export function GalleryDialog(): VNode {
   return (

@@ -3,11 +3,11 @@
 import type {VNode} from "preact"
 import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
 import type {Outline} from "../../browser/block_picture.ts"
-import type {StoredProgram} from "../../browser/stored_values.ts"
+import type {StoredProgram} from "../../storage/stored_values.ts"
+import {useController} from "../../ui/app_context.ts"
+import {Dialog} from "../../ui/controls.tsx"
+import {BinIcon, CloserIcon, DuplicateIcon, EditIcon} from "../../ui/icons.tsx"
 import {measures, words} from "../../words/index.ts"
-import {useController} from "../app_context.ts"
-import {Dialog} from "../controls.tsx"
-import {BinIcon, CloserIcon, DuplicateIcon, EditIcon} from "../icons.tsx"
 
 export function MyProgramsDialog(): VNode {
   return (

@@ -60,7 +60,7 @@ export function PartFields({
           <Metres label={words.world.width} value={box.w} set={w => set({w})} />
           <Metres label={words.world.height} value={box.h} set={h => set({h})} />
           <Angle value={box.theta} set={theta => set({theta})} />
-          <WeightFields movable={box.movable} mass={box.mass} set={set} />
+          {!box.unknown && <WeightFields movable={box.movable} mass={box.mass} set={set} />}
         </>
       )
     }

@@ -2,12 +2,12 @@
 
 import type {VNode} from "preact"
 import {useEffect, useRef} from "preact/hooks"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {describePart, nameOfPart} from "../../ui/descriptions.ts"
 import {words} from "../../words/index.ts"
 import type {WorldEdit} from "../../worlds/editor_value.ts"
 import {ideal, type World, type WorldGoal} from "../../worlds/world.ts"
 import {isMovable, limitReached, type Part, partsOf, samePart} from "../../worlds/world_parts.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {describePart, nameOfPart} from "../descriptions.ts"
 import {PartFields} from "./part_fields.tsx"
 import {Check, Metres} from "./property_fields.tsx"
 

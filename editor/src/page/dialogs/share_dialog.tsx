@@ -1,11 +1,11 @@
-/// Share dialog: the link that contains the program, its QR code, the markup that embeds it, and printing.
+/// Share dialog: the link that contains the program, its QR code, the markup that embeds it, the page that works without a service, and printing.
 
 import type {VNode} from "preact"
-import {useRef} from "preact/hooks"
 import type {Shared} from "../../state/page_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {Dialog, TextWithCode} from "../../ui/controls.tsx"
+import {Copied} from "../../ui/copied.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {Dialog} from "../controls.tsx"
 
 export function ShareDialog(): VNode {
   return (
@@ -18,47 +18,30 @@ export function ShareDialog(): VNode {
 function Shares(): VNode {
   const desk = useController()
   const shared = usePageState(s => s.shared)
+  const hasFilm = usePageState(s => s.room.run !== null && s.room.recording.length > 0)
   if (shared === null) return <p class="quiet">{words.share.making}</p>
   return (
     <div class="share">
+      {shared.reach !== "page" && (
+        <p data-testid="reach">
+          <TextWithCode text={words.share.reach[shared.reach]} strong={null} />
+        </p>
+      )}
       <Copied label={words.share.link} text={shared.link} />
       {shared.code === null ? <p class="quiet">{words.share.noCode}</p> : <Code code={shared.code} />}
       <Copied label={words.share.embed} text={shared.embed} />
+      <p>
+        <button type="button" class="plain" onClick={() => void desk.saveSharedPage()}>
+          {words.share.page}
+        </button>
+        <br />
+        <span class="quiet">{hasFilm ? words.share.pageHint : words.share.pageWithoutFilm}</span>
+      </p>
       <p>
         <button type="button" class="plain" onClick={() => desk.print()}>
           {words.share.print}
         </button>
       </p>
-    </div>
-  )
-}
-
-/// A text in a field, with a button that copies it.
-export function Copied({label, text}: {label: string; text: string}): VNode {
-  const field = useRef<HTMLInputElement>(null)
-  const said = useRef<HTMLSpanElement>(null)
-  const copy = () => {
-    field.current?.select()
-    // The Clipboard API is missing where a page is served without TLS, as on a classroom's network.
-    const done = document.execCommand("copy")
-    if (said.current !== null) said.current.textContent = done ? words.share.copied : words.share.notCopied
-  }
-  return (
-    <div class="share-row">
-      <label>
-        <span>{label}</span>
-        <input
-          type="text"
-          readOnly
-          ref={field}
-          value={text}
-          onFocus={event => event.currentTarget.select()}
-        />
-      </label>
-      <button type="button" class="plain" aria-label={`${words.share.copy}: ${label}`} onClick={copy}>
-        {words.share.copy}
-      </button>
-      <span role="status" class="quiet" ref={said} />
     </div>
   )
 }

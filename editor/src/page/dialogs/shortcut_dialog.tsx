@@ -3,9 +3,9 @@
 import {Fragment, type VNode} from "preact"
 import {pageHelp} from "../../help/guide_links.ts"
 import {keysOf} from "../../state/shortcuts.ts"
+import {useController} from "../../ui/app_context.ts"
+import {Dialog} from "../../ui/controls.tsx"
 import {words} from "../../words/index.ts"
-import {useController} from "../app_context.ts"
-import {Dialog} from "../controls.tsx"
 
 export function KeysDialog(): VNode {
   return (

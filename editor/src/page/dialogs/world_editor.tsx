@@ -2,15 +2,15 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {describePart} from "../../ui/descriptions.ts"
+import {RedoIcon, UndoIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
 import {type Tool, tools} from "../../worlds/drawing_tools.ts"
 import type {WorldEdit} from "../../worlds/editor_value.ts"
 import {startFaultKind} from "../../worlds/start_validation.ts"
 import {partLimits} from "../../worlds/world_parts.ts"
-import {useController, usePageState} from "../app_context.ts"
 import {NoticeBar} from "../bars/notice_bar.tsx"
-import {describePart} from "../descriptions.ts"
-import {RedoIcon, UndoIcon} from "../icons.tsx"
 import {PartPanel} from "./part_panel.tsx"
 
 export function WorldEditorDialog(): VNode {

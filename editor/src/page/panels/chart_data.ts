@@ -1,9 +1,9 @@
 /// Data of a strip chart: time window, value range, and downsampled points. Pure.
 
-import type {Frame} from "../../state/messages.ts"
+import type {Frame} from "../../state/messages/messages.ts"
 import type {ChartSpan} from "../../state/page_state.ts"
-import type {Quantity} from "../../state/quantities.ts"
-import {type Recording, spanOfTime} from "../../state/recording.ts"
+import {type Recording, spanOfTime} from "../../state/runs/recording.ts"
+import type {Quantity} from "../../values/quantities.ts"
 
 export interface Point {
   readonly time: number

@@ -2,13 +2,14 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useMemo, useRef, useState} from "preact/hooks"
-import {comparedRun, nodeOf, runName} from "../../runs/run_tree.ts"
+import {memoryNames} from "../../program/written_memories.ts"
 import type {ChartSpan} from "../../state/page_state.ts"
-import {type Quantity, quantitiesOf} from "../../state/quantities.ts"
+import {comparedRun, nodeOf, runName} from "../../state/runs/run_tree.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {SegmentedControl} from "../../ui/controls.tsx"
+import {quantityName} from "../../ui/descriptions.ts"
+import {type Quantity, quantitiesOf} from "../../values/quantities.ts"
 import {measures, words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {SegmentedControl} from "../controls.tsx"
-import {quantityName} from "../descriptions.ts"
 import {type Curve, openCurves, unitedWindow, windowOf, withSameScale} from "./chart_data.ts"
 
 const spans: readonly ChartSpan[] = [20, 60, "all"]
@@ -25,7 +26,7 @@ function Charts(): VNode {
   const span = usePageState(s => s.chartSpan)
   const recording = usePageState(s => s.room.recording)
   const lookedAt = usePageState(s => s.room.lookedAt)
-  const there = usePageState(s => quantitiesOf(s.room.frame))
+  const there = usePageState(s => quantitiesOf(s.room.frame, memoryNames(s.network)))
   const [hover, setHover] = useState<number | null>(null)
   const curves = useMemo(openCurves, [])
   const otherCurves = useMemo(openCurves, [])

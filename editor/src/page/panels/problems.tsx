@@ -2,13 +2,14 @@
 
 import type {VNode} from "preact"
 import {guidePageOfProblem} from "../../help/guide_links.ts"
+import {type Finding, isOverlapping} from "../../program/program.ts"
 import type {PageState} from "../../state/page_state.ts"
-import {type Finding, isOverlapping} from "../../state/program.ts"
 import {compiled, trustedFindings} from "../../state/visible_findings.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {TextWithCode} from "../../ui/controls.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
 import {conflictFixes} from "../conflict_fixes.ts"
-import {TextWithCode} from "../controls.tsx"
+import {nothingRuns} from "../nothing_runs.ts"
 
 /// All problems, errors first and notes last, each told once. An empty socket is the blocks' to tell; about everything else that
 /// both have found the compiler knows better.
@@ -68,16 +69,21 @@ export function ProblemsPanel(): VNode {
 function Card({finding}: {finding: Finding}): VNode {
   const desk = useController()
   const document = usePageState(s => s.document)
-  const fixes = [...finding.fixes, ...conflictFixes(document, finding)]
+  const idle = nothingRuns(document, finding)
+  const fixes = [
+    ...(idle === undefined ? [] : [idle.fix]),
+    ...finding.fixes,
+    ...conflictFixes(document, finding),
+  ]
   const place = finding.block !== null || finding.range !== null
   const more = guidePageOfProblem(finding.kind)
   return (
     <article class={`problem ${finding.severity}`} data-kind={finding.kind}>
       <p>
-        <TextWithCode text={finding.message} strong={finding.function} />
+        <TextWithCode text={idle?.message ?? finding.message} strong={finding.function} />
         {finding.time !== null && <span class="quiet"> {words.atTime(finding.time)}</span>}
       </p>
-      {finding.hint !== "" && (
+      {finding.hint !== "" && idle === undefined && (
         <p class="quiet">
           <TextWithCode text={finding.hint} strong={null} />
         </p>

@@ -2,15 +2,16 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef} from "preact/hooks"
-import {numberAt} from "../../state/channels.ts"
-import type {Frame} from "../../state/messages.ts"
-import {namedMemory, quantities} from "../../state/quantities.ts"
-import {type ConsoleLine, isMinorEvent, ledNames, shownFrame} from "../../state/room_state.ts"
-import {WhyButton} from "../../why/why_panel.tsx"
-import {motionQuestion, type Question} from "../../why/why_state.ts"
+import {WhyButton} from "../../features/why/why_panel.tsx"
+import {memoryNames} from "../../program/written_memories.ts"
+import type {Frame} from "../../state/messages/messages.ts"
+import {motionQuestion, type Question} from "../../state/messages/why_state.ts"
+import {numberAt} from "../../state/runs/channels.ts"
+import {type ConsoleLine, isMinorEvent, ledNames, shownFrame} from "../../state/runs/room_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {quantityName} from "../../ui/descriptions.ts"
+import {namedMemory, quantities} from "../../values/quantities.ts"
 import {measures, words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {quantityName} from "../descriptions.ts"
 import {TopicForms} from "./topic_forms.tsx"
 
 export function ConsolePanel(): VNode {
@@ -89,6 +90,7 @@ function LineText({line}: {line: ConsoleLine}): VNode {
 export function SensorsPanel(): VNode {
   const frame = usePageState(s => shownFrame(s.room))
   const asks = usePageState(s => s.room.run !== null)
+  const nameOf = usePageState(s => memoryNames(s.network))
   if (frame === null)
     return (
       <>
@@ -96,7 +98,7 @@ export function SensorsPanel(): VNode {
         <TopicForms />
       </>
     )
-  const kept = namedMemory(frame.memory)
+  const kept = namedMemory(frame.memory, nameOf)
   return (
     <>
       {kept.length > 0 && (

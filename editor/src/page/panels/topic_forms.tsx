@@ -3,10 +3,10 @@
 import {robot} from "@rosy/codegen/robot"
 import type {VNode} from "preact"
 import {useState} from "preact/hooks"
-import type {OwnTopic} from "../../state/program_graph.ts"
-import {messageOf} from "../../state/topic_message.ts"
+import type {OwnTopic} from "../../program/program_graph.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {messageOf} from "../../values/topic_message.ts"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
 
 /// Topics on which the simulated robot sends messages itself.
 const fromRobot: ReadonlySet<string> = new Set(robot.sensorTopics)

@@ -2,12 +2,23 @@
 
 import type {CSSProperties, JSX, VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
-import {nextInList} from "../../diagram/list_navigation.ts"
-import {causalPath, noPath} from "../../why/causal_path.ts"
-import {nodeQuestions} from "../../why/node_questions.ts"
-import {QuestionButtons} from "../../why/why_panel.tsx"
+import {QuestionButtons} from "../../features/why/why_panel.tsx"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {nodeQuestions} from "../../values/node_questions.ts"
+import type {Proposal} from "../../views/diagram/editing.ts"
+import type {Point} from "../../views/diagram/layout/geometry.ts"
+import {nextInList} from "../../views/diagram/list_navigation.ts"
+import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
+import {
+  type Asked,
+  ConnectionForm,
+  ConnectionMenu,
+  FunctionActions,
+  Palette,
+  StandingBeside,
+  useConnectionDrag,
+} from "./diagram_editing.tsx"
 import {RegionHeader} from "./region_header.tsx"
 
 export function DiagramRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
@@ -15,7 +26,21 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
   const {outcome} = usePageState(s => s.diagram)
-  const isStale = usePageState(s => s.network !== null && !s.accepted)
+  // Tasks are shown as they were reported last; functions as the text has them, unless it is broken.
+  const isStale = usePageState(
+    s =>
+      s.network !== null &&
+      !s.accepted &&
+      (s.document.dimmed.length > 0 || s.network.parts.some(part => part.kind !== "function")),
+  )
+  const stage = useRef<HTMLDivElement>(null)
+  const [asked, setAsked] = useState<Asked | null>(null)
+  const [refused, setRefused] = useState<string | null>(null)
+  const ask = (proposal: Proposal, at: Point) => {
+    setRefused(proposal.kind === "refused" ? proposal.why : null)
+    setAsked(proposal.kind === "offered" ? {proposal, at} : null)
+  }
+  useConnectionDrag(stage, ask)
   useLayoutEffect(() => {
     if (host.current !== null) desk.mountDiagram(host.current)
   }, [desk])
@@ -59,15 +84,29 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         </button>
       </div>
       <NodeQuestions />
-      {message !== null && <p class="quiet diagram-message">{message}</p>}
+      <FunctionActions />
+      {refused !== null && (
+        <p class="refused" role="alert">
+          {refused}
+        </p>
+      )}
+      {asList && shown && <ConnectionMenu ask={ask} />}
       {/* Haskell's names and arrows go from left to right in every language. */}
-      <div
-        class={`diagram-host${isStale ? " stale" : ""}`}
-        dir="ltr"
-        ref={host}
-        hidden={asList || outcome !== "drawn"}
-      />
-      {asList && shown && <DiagramList />}
+      <div class="diagram-stage" dir="ltr" ref={stage}>
+        {!asList && <Palette side="sensors" isEmpty={outcome === "empty"} />}
+        <div
+          class={`diagram-host${isStale ? " stale" : ""}`}
+          ref={host}
+          hidden={asList || outcome !== "drawn"}
+        />
+        {asList && shown && outcome === "drawn" && <DiagramList />}
+        {message !== null && <p class="quiet diagram-message">{message}</p>}
+        {!asList && <Palette side="actuators" isEmpty={outcome === "empty"} />}
+        {asked !== null && (
+          <ConnectionForm key={asked.proposal.title} asked={asked} close={() => setAsked(null)} />
+        )}
+      </div>
+      <StandingBeside />
     </section>
   )
 }

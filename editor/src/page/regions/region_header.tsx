@@ -1,11 +1,11 @@
 /// Header of a region: drag handle, title, hide button.
 
 import type {JSX, VNode} from "preact"
+import {CaseWhy} from "../../features/why/why_panel.tsx"
 import {dropRegion, moveRegion, type Region, regions, type Side, setVisible} from "../../state/arrangement.ts"
-import {CaseWhy} from "../../why/why_panel.tsx"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {CloseIcon, GripIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {CloseIcon, GripIcon} from "../icons.tsx"
 import {isRightToLeft} from "./resize_handle.tsx"
 
 export function RegionHeader({region}: {region: Region}): VNode {

@@ -3,8 +3,8 @@
 import type {CSSProperties, JSX, VNode} from "preact"
 import {useRef} from "preact/hooks"
 import {type Divider, leastShare, mostShare, resizeSplit, shareStep} from "../../state/arrangement.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
 
 interface Shared {
   /// The share of what stands before the border, from 0 to 1.

@@ -1,13 +1,11 @@
-/// Bar of the room region: choice of the robot and of the room, status of the run, safety rules, sound.
+/// Bar of the room region: choice of the robot and of the room, safety rules, sound.
 
 import type {VNode} from "preact"
-import {isActive} from "../../state/run_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {IconButton} from "../../ui/controls.tsx"
+import {ChevronIcon, EditIcon, ShieldIcon, SoundIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {IconButton} from "../controls.tsx"
-import {runStatus} from "../descriptions.ts"
 import {nameOfRoom} from "../dialogs/galleries.tsx"
-import {ChevronIcon, EditIcon, ShieldIcon, SoundIcon} from "../icons.tsx"
 import {DragHandle, HideButton} from "./region_header.tsx"
 
 export function RoomBar(): VNode {
@@ -18,10 +16,6 @@ export function RoomBar(): VNode {
   const there = usePageState(s => s.room.world !== null)
   const held = usePageState(s => s.robots.held?.name ?? null)
   const twin = usePageState(s => s.robots.twin)
-  const status = usePageState(runStatus)
-  const kind = usePageState(s =>
-    s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
-  )
   return (
     <div class="roombar">
       <DragHandle region="room" />
@@ -48,9 +42,6 @@ export function RoomBar(): VNode {
         <EditIcon />
       </IconButton>
       <span class="space" />
-      <span class={`state ${kind}`} role="status">
-        {status}
-      </span>
       <SafetySwitch />
       <IconButton
         label={muted ? words.soundOff : words.soundOn}

@@ -1,16 +1,16 @@
 /// Overlays of the room's canvas: buttons of the robot, goals, messages, and the readout for screen readers.
 
 import type {VNode} from "preact"
-import {movableObjectsOf} from "../../room/poses.ts"
-import {isOn} from "../../state/channels.ts"
-import type {Hand} from "../../state/messages.ts"
-import {readout} from "../../state/readout.ts"
-import {goalsOf} from "../../state/room_state.ts"
-import {isActive} from "../../state/run_state.ts"
+import type {Hand} from "../../state/messages/messages.ts"
+import {isOn} from "../../state/runs/channels.ts"
+import {goalsOf} from "../../state/runs/room_state.ts"
+import {isActive} from "../../state/runs/run_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {goalTitle} from "../../ui/descriptions.ts"
+import {readout} from "../../values/readout.ts"
+import {movableObjectsOf} from "../../views/room/poses.ts"
 import {measures, words} from "../../words/index.ts"
 import {wordedText} from "../../words/worker_sentences.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {goalTitle} from "../descriptions.ts"
 
 /// Says while the safety rules override the program.
 export function Override(): VNode {
@@ -60,8 +60,8 @@ export function Hands(): VNode | null {
   const pressed = usePageState(s => [0, 1, 2].filter(n => isOn(s.room.frame, "Button", n)).join())
   if (!running) return null
   const hand = (h: Hand) => store.dispatch({kind: "hand", hand: h})
-  const button = (n: number) => {
-    const name = `Button${n}`
+  const button = (n: 0 | 1 | 2) => {
+    const name = `Button${n}` as const
     const isKey = (key: string) => key === " " || key === "Enter"
     return (
       <button
@@ -83,7 +83,7 @@ export function Hands(): VNode | null {
   }
   return (
     <fieldset class="hands" aria-label={words.hands}>
-      {[0, 1, 2].map(button)}
+      {([0, 1, 2] as const).map(button)}
       <button
         type="button"
         class="hand"

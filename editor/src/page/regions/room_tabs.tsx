@@ -1,9 +1,9 @@
 /// Tabs below the room: console, charts, runs, sensors, problems. There is something to see in the tree of runs when it has two, or a recording.
 
 import type {VNode} from "preact"
-import {RunsPanel} from "../../runs/runs_panel.tsx"
+import {RunsPanel} from "../../features/runs/runs_panel.tsx"
+import {useController, usePageState} from "../../ui/app_context.ts"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
 import {ChartsPanel} from "../panels/charts.tsx"
 import {ProblemsPanel, problemCount} from "../panels/problems.tsx"
 import {ConsolePanel, SensorsPanel} from "../panels/run_panels.tsx"

@@ -2,11 +2,11 @@
 
 import type {VNode} from "preact"
 import {canRecord} from "../../browser/canvas_recording.ts"
-import type {TrailStyle} from "../../state/room_state.ts"
+import type {TrailStyle} from "../../state/runs/room_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {IconButton, SegmentedControl, usePopup} from "../../ui/controls.tsx"
+import {CloserIcon, EyeIcon, FollowIcon, FurtherIcon, StopIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {IconButton, SegmentedControl, usePopup} from "../controls.tsx"
-import {CloserIcon, EyeIcon, FollowIcon, FurtherIcon, StopIcon} from "../icons.tsx"
 
 const trails: readonly TrailStyle[] = ["plain", "speed", "time"]
 

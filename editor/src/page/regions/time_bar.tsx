@@ -1,17 +1,18 @@
-/// Time bar of the run: reset, pause, single step, repeat, seek, clock, speed.
+/// Time bar of the run: seek, clock, reset, pause, single step, repeat, status, speed.
 
 import type {VNode} from "preact"
-import {awayRun} from "../../runs/run_tree_reducer.ts"
-import type {Speed} from "../../state/messages.ts"
-import {spanOfTime} from "../../state/recording.ts"
-import {isUntouched} from "../../state/room_state.ts"
-import {mayContinue} from "../../state/run_reducer.ts"
-import {isActive} from "../../state/run_state.ts"
-import {WhyMarks} from "../../why/why_panel.tsx"
+import {WhyMarks} from "../../features/why/why_panel.tsx"
+import {mayContinue} from "../../reducers/run_reducer.ts"
+import {awayRun} from "../../reducers/run_tree_reducer.ts"
+import type {Speed} from "../../state/messages/messages.ts"
+import {spanOfTime} from "../../state/runs/recording.ts"
+import {isUntouched} from "../../state/runs/room_state.ts"
+import {isActive} from "../../state/runs/run_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {IconButton} from "../../ui/controls.tsx"
+import {runStatus} from "../../ui/descriptions.ts"
+import {AgainIcon, GoIcon, PauseIcon, ResetIcon, RunsIcon, StepIcon} from "../../ui/icons.tsx"
 import {measures, words} from "../../words/index.ts"
-import {useController, usePageState} from "../app_context.ts"
-import {IconButton} from "../controls.tsx"
-import {AgainIcon, GoIcon, PauseIcon, ResetIcon, RunsIcon, StepIcon} from "../icons.tsx"
 
 const speeds: readonly Speed[] = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, "max"]
 
@@ -28,6 +29,7 @@ export function TimeBar(): VNode {
   const again = usePageState(s => s.seed !== null && s.robots.held === null)
   return (
     <div class="timebar">
+      <LookBack />
       <IconButton
         label={words.reset}
         hint={words.resetHint}
@@ -60,9 +62,21 @@ export function TimeBar(): VNode {
       >
         <AgainIcon />
       </IconButton>
-      <LookBack />
+      <RunStatus />
       {!real && <SpeedChoice />}
     </div>
+  )
+}
+
+function RunStatus(): VNode {
+  const status = usePageState(runStatus)
+  const kind = usePageState(s =>
+    s.clock === "standing" && isActive(s.run) ? "standing" : s.run.kind === "ended" ? s.run.how : s.run.kind,
+  )
+  return (
+    <span class={`state ${kind}`} role="status" title={status}>
+      {status}
+    </span>
   )
 }
 
@@ -111,7 +125,7 @@ function LookBack(): VNode {
   const fine = usePageState(s => s.clock === "standing" || s.room.lookedAt !== null)
   const part = to > from ? (100 * (at - from)) / (to - from) : 0
   return (
-    <>
+    <div class="lookback-row">
       <span class="lookback-line">
         <input
           type="range"
@@ -135,7 +149,7 @@ function LookBack(): VNode {
       <span class="clock" title={words.clock} data-testid="clock">
         {measures.seconds(at, fine ? 2 : 1)}
       </span>
-    </>
+    </div>
   )
 }
 

@@ -16,7 +16,7 @@ export const classroom: Words["classroom"] = {
   iAmNew: "Ich bin neu hier",
   without: "Ohne die Klasse",
   privacy:
-    "Deine Programme werden auf dem Rechner deiner Lehrkraft gespeichert, unter diesem Spitznamen. Sonst wird nichts gespeichert.",
+    "Deine Programme und dein Stand in den Lektionen werden auf dem Rechner deiner Lehrkraft gespeichert, unter diesem Spitznamen. Sonst wird nichts gespeichert.",
   noConnection: "Der Rechner deiner Lehrkraft ist nicht zu erreichen. Neuer Versuch…",
   refused: {
     code: "Das ist nicht der Code der Klasse. Schau noch einmal, was deine Lehrkraft zeigt.",
@@ -26,9 +26,15 @@ export const classroom: Words["classroom"] = {
     taken:
       "Diesen Spitznamen gibt es schon. Ist es deiner, drück „Ich war schon da“; sonst wähle einen anderen.",
     full: "Die Klasse ist voll. Frag deine Lehrkraft.",
+    joins:
+      "Von hier sind zu viele in die Klasse gekommen. Warst du schon da, drück „Ich war schon da“; sonst frag deine Lehrkraft.",
     disk: "Diese Klasse kann dich nicht aufnehmen: Ihre Platte ist voll. Sag es deiner Lehrkraft.",
     database:
       "Die Klasse ist nicht zu erreichen: Ihre Datenbank antwortet nicht. Versuch es gleich noch einmal.",
+    locked:
+      "Die Tür der Klasse ist abgeschlossen: Neue kommen jetzt nicht herein. Frag deine Lehrkraft. Warst du schon da, drück „Ich war schon da“.",
+    removed:
+      "Deine Lehrkraft hat dich aus der Klasse genommen. Deine Arbeit bleibt in diesem Browser. Frag deine Lehrkraft.",
     "nickname-empty": "Ein Spitzname braucht mindestens einen Buchstaben oder eine Ziffer.",
     "nickname-long": "Ein Spitzname hat höchstens 24 Buchstaben.",
     "nickname-letters":
@@ -62,8 +68,8 @@ export const classroom: Words["classroom"] = {
   later: "Nicht jetzt",
   fromTeacher: "Von deiner Lehrkraft",
   task: {
-    task: "Aufgabe:",
-    label: title => `Aufgabe: ${title}`,
+    task: "Arbeitsauftrag:",
+    label: title => `Arbeitsauftrag: ${title}`,
     until: when => `bis ${when}`,
     handIn: "Abgeben",
     again: "Noch einmal abgeben",
@@ -133,6 +139,7 @@ export const classroom: Words["classroom"] = {
     sendAll: "An alle schicken",
     sendSome: n => (n === 1 ? "An eine Person schicken" : `An ${n} Personen schicken`),
     sendHint: "An alle. Nur an einige: Wähle sie unten auf ihren Karten aus.",
+    unfinished: title => `${title} (nicht fertig)`,
     sendGone: "Dieses Programm ist nicht mehr im Browser. Wähle ein anderes.",
     sentLater: pupils =>
       pupils === 1
@@ -148,6 +155,17 @@ export const classroom: Words["classroom"] = {
       hand: "Gehobene Hand",
       error: "Seit einer Minute ein Fehler",
       idle: "Seit fünf Minuten kein Lauf",
+    },
+    mostIdle: "Die meisten in der Klasse haben seit fünf Minuten nichts laufen lassen.",
+    overview: {
+      title: "Übersicht",
+      cardOf: nickname => `Karte von ${nickname}`,
+    },
+    suspended: {
+      seconds: (n, when) =>
+        `Rosy stand ${n} s lang still, bis ${when}: Dieser Computer hat geschlafen, oder er war zugeklappt. Die Seiten der Kinder kommen von selbst zurück.`,
+      minutes: (n, when) =>
+        `Rosy stand ${n} min lang still, bis ${when}: Dieser Computer hat geschlafen, oder er war zugeklappt. Die Seiten der Kinder kommen von selbst zurück.`,
     },
     lower: "Gesehen",
     away: "nicht verbunden",
@@ -169,7 +187,7 @@ export const classroom: Words["classroom"] = {
     close: "Schließen",
     refused: {
       deadline: "Diese Zeit ist schon vorbei. Wähle eine spätere.",
-      tasks: "Diese Klasse hat 200 Aufgaben, mehr kann eine Klasse nicht haben.",
+      tasks: "Diese Klasse hat 200 Arbeitsaufträge, mehr kann eine Klasse nicht haben.",
       comments: "Zu diesen Programmen gibt es 200 Kommentare, mehr gehen nicht. Nimm einige zurück.",
       disk: "Rosy kann es nicht speichern: Die Platte ist voll oder defekt.",
       database: "Die Datenbank der Klasse antwortet nicht. Versuchen Sie es gleich noch einmal.",
@@ -191,7 +209,7 @@ export const classroom: Words["classroom"] = {
       count: (done, of) => `${done} von ${of} Kommentaren erledigt`,
     },
     backUp: "Klasse sichern (ZIP)",
-    backUpHint: "Alle Programme mit allen Versionen, Aufgaben und Abgaben, als eine Datei.",
+    backUpHint: "Alle Programme mit allen Versionen, Arbeitsaufträgen und Abgaben, als eine Datei.",
     sharing: {
       follows:
         "Eine Kopie zum Ansehen und Ausführen. Sie folgt dem, was das Kind speichert; Änderungen hier erreichen das Kind nicht.",
@@ -217,8 +235,61 @@ export const classroom: Words["classroom"] = {
       show: "Auf dem Beamer zeigen",
       showOf: nickname => `Auf dem Beamer zeigen: ${nickname}`,
     },
+    roster: {
+      title: "Wer in der Klasse ist",
+      lock: "Tür abschließen",
+      unlock: "Tür öffnen",
+      locked: "Die Tür ist abgeschlossen: Neue kommen nicht herein.",
+      lockHint: "Neue kommen nicht herein; wer in der Klasse ist, kommt zurück wie immer.",
+      print: "Karten mit den drei Wörtern drucken",
+      printSome: n => (n === 1 ? "Eine Karte drucken" : `${n} Karten drucken`),
+      list: "Liste mit Namen eingeben",
+      names: "Namen, einer in jeder Zeile; von einer Tabelle die erste Spalte",
+      tooMany: (most: number) => `Höchstens ${most} Namen auf einmal.`,
+      file: "oder eine Datei damit",
+      listHint: "Jeder Name bekommt sofort drei Wörter. Mit der Karte drückt das Kind „Ich war schon da“.",
+      add: n => (n === 0 ? "Hinzufügen" : n === 1 ? "Einen Namen hinzufügen" : `${n} Namen hinzufügen`),
+      added: n => (n === 1 ? "Ein Name wurde hinzugefügt." : `${n} Namen wurden hinzugefügt.`),
+      change: "Ändern",
+      changeOf: nickname => `Eintrag von ${nickname} ändern`,
+      nameOf: nickname => `Neuer Name für ${nickname}`,
+      rename: "Umbenennen",
+      sameAs: "Dasselbe Kind wie",
+      sameAsOf: nickname => `${nickname} ist dasselbe Kind wie`,
+      merging: (nickname, into) =>
+        `${nickname} wird ein Teil von ${into}: Alle Programme, Abgaben und Lektionen von beiden bleiben, und die Wörter von beiden gelten. Von zwei Abgaben zur selben Sache zählt die neuere, die ältere wird ein Programm. Das lässt sich nicht rückgängig machen.`,
+      merge: "Zusammenlegen",
+      remove: "Aus der Klasse entfernen",
+      removeSome: n => (n === 1 ? "Ein Kind entfernen" : `${n} Kinder entfernen`),
+      removing: names =>
+        `${names}: Mit dem Namen gehen Programme, Abgaben und der Stand in den Lektionen aus der Klasse. 30 Tage lang können Sie alles hier zurückholen; danach wird es gelöscht.`,
+      removeThem: n => (n === 1 ? "Dieses Kind entfernen" : `Diese ${n} Kinder entfernen`),
+      cancel: "Abbrechen",
+      removed: "Entfernt",
+      until: when => `bis ${when}`,
+      restore: "Zurückholen",
+      restoreOf: nickname => `${nickname} zurückholen`,
+      refused: {
+        taken: "Diesen Namen gibt es in der Klasse schon.",
+        full: "Die Klasse ist voll.",
+        "nickname-empty": "Ein Name braucht mindestens einen Buchstaben oder eine Ziffer.",
+        "nickname-long": "Ein Name hat höchstens 24 Buchstaben.",
+        "nickname-letters": "In diesem Namen sind Zeichen, die man nicht sieht oder nicht lesen kann.",
+      },
+      card: {
+        how: button => `Drück „${button}“. Gib den Klassencode und deine drei Wörter ein.`,
+      },
+    },
+    lessons: {
+      title: "Lektionen",
+      caption:
+        "Schritte jeder Lektion, die jedes Kind erledigt hat. Die Sicherung enthält diese Tabelle auch.",
+      steps: (done: number, of: number) => `${done} von ${of}`,
+    },
     check: {
       title: "Alle in Räumen prüfen",
+      lesson: "was die Lektion prüft",
+      unmet: (checks: readonly string[]) => `Nicht bestanden: ${checks.join("; ")}.`,
       own: "der abgegebene Raum, dann ähnliche",
       roomOf: name => `der Raum von „${name}“, dann ähnliche`,
       seed: "Welche Räume (andere Zahl, andere Räume)",
@@ -246,18 +317,19 @@ export const classroom: Words["classroom"] = {
         compile: "Das Programm lässt sich nicht übersetzen:",
         room: "Der abgegebene Raum taugt nicht für diese Prüfung.",
         time: "Die Prüfung hat zu lange gedauert.",
+        lesson: "Dieses Programm ist in keiner Lektion entstanden; wähle dafür eine andere Prüfung.",
         lost: "Die Prüfung dieses Programms wurde unterbrochen. Prüfe noch einmal.",
       },
     },
     task: {
-      task: "Aufgabe",
-      title: "Titel einer Aufgabe",
+      task: "Arbeitsauftrag",
+      title: "Titel eines Arbeitsauftrags",
       deadline: "Abgabe bis (kann leer bleiben)",
-      open: "Aufgabe stellen",
+      open: "Arbeitsauftrag stellen",
       noDeadline: "Ohne Abgabezeit",
       until: when => `Bis ${when}`,
       count: (handedIn, of) => `${handedIn} von ${of} haben abgegeben.`,
-      end: "Aufgabe beenden",
+      end: "Arbeitsauftrag beenden",
       handIns: "Abgaben",
       option: (title, opened) => `${title} (${opened})`,
       pupil: "Kind",

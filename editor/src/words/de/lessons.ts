@@ -63,6 +63,14 @@ export const lessons: Words["lessons"] = {
       (n ?? 0) === 0
         ? "Er fuhr nicht rückwärts."
         : `Rückwärts war er in ${time ?? 0} s höchstens ${measure(n)} Meter in der Sekunde schnell.`,
+    "came-far": n => `Er kam ${measure(n)} Meter vom Start weg.`,
+    "not-back": n => `Am Ende war er ${measure(n)} Meter vom Start entfernt.`,
+    "ends-far": n => `Am Ende war er ${measure(n)} Meter davon entfernt.`,
+    "not-faster": (_n, time, name) => `\`${name}\` passierte${seconds(time)}, und er wurde nicht schneller.`,
+    varied: n => `Es wurden ${n ?? 0} verschiedene Werte gesendet.`,
+    "not-again": (n, _t, name) => `\`${name}\` passierte ${n ?? 0}-mal, und es war nie wieder wie am Anfang.`,
+    miscounted: (n, time, name) => `Er sagte ${name}${seconds(time)}, und es war Nummer ${n ?? 0}.`,
+    "not-measured": n => `Er fuhr ${Math.round(n ?? 0)} Zentimeter, und keine solche Zahl wurde gesagt.`,
     "goes-on": (_n, time) => `Das Programm war noch nicht zu Ende${seconds(time)}.`,
     "not-said": (_n, _t, name) => `„${name}“ wurde nicht gesagt.`,
     "not-sent": (_n, _t, name) => `\`${name}\` wurde nicht gesendet.`,

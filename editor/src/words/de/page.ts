@@ -141,11 +141,8 @@ export const page: Omit<
     "Control character": "Unsichtbares Zeichen",
   },
   showIt: "Zeig es mir",
-  waysOut: {
-    memory: () => "Mit Memory merken",
-    either: () => "Eine Funktion mit Either",
-    mux: ({loser}) => `${loser} eine Sekunde lang vorlassen (mux)`,
-  },
+  nothingRuns: name => `Noch läuft nichts. \`${name}\` laufen lassen?`,
+  runIt: name => `${name} laufen lassen`,
   readMore: "Mehr lesen",
   fromToolbox: "Aus dem Werkzeugkasten",
   writeType: signature => `Den Typ hinschreiben: ${signature}`,
@@ -162,6 +159,12 @@ export const page: Omit<
     title: "Teilen",
     lead: "Der Link enthält das ganze Programm und seinen Raum. Nichts wird hochgeladen.",
     making: "Der Link entsteht…",
+    reach: {
+      network:
+        "Die Adresse dieser Seite führt nur zu diesem Computer. Der Link hat stattdessen seine Adresse im Netz: Andere dort können ihn öffnen, solange Rosy hier läuft.",
+      computer:
+        "Dieser Link führt nur zu diesem Computer. Speichere das Programm für andere als Datei, oder starte Rosy mit `--host 0.0.0.0` und teile noch einmal.",
+    },
     link: "Link",
     copy: "Kopieren",
     copied: "Kopiert.",
@@ -170,8 +173,25 @@ export const page: Omit<
     codeHint: "Der QR-Code enthält das Programm und seinen Raum, aber nicht die Plätze der Blöcke.",
     noCode: "Dieses Programm ist zu lang für einen QR-Code. In den Link passt es.",
     embed: "Zum Einbetten in eine eigene Seite",
+    page: "Eine Seite speichern, die überall geht",
+    pageHint:
+      "Eine Datei mit den Blöcken, dem Haskell und dem Film des letzten Laufs. Sie öffnet sich ohne Rosy, von einem Datenträger oder einer Website.",
+    pageWithoutFilm:
+      "Eine Datei mit den Blöcken und dem Haskell. Lass das Programm erst laufen, dann enthält sie auch den Film des Laufs.",
     print: "Blöcke und Haskell drucken",
     openInRosy: "In Rosy öffnen",
+  },
+  sharedPage: {
+    film: "Der letzte Lauf",
+    noFilm: "Das Programm war noch nicht gelaufen, als diese Seite entstand.",
+    olderFilm: "Der Film zeigt das Programm vor seinen letzten Änderungen.",
+    play: "Abspielen",
+    reach: {
+      network:
+        "Der Link führt andere im selben Netz zu Rosy, solange es auf dem Computer läuft, auf dem diese Seite entstand.",
+      computer: "Der Link geht nur auf dem Computer, auf dem diese Seite entstand, solange Rosy dort läuft.",
+    },
+    made: version => `Mit Rosy ${version} gemacht`,
   },
   driveByHand: "Von Hand fahren (ROS)",
   help: {
@@ -184,7 +204,7 @@ export const page: Omit<
     isEnglish: "Diese Seite des Handbuchs gibt es nur auf Englisch.",
     more: "Mehr dazu im Handbuch",
   },
-  about: "Über Rosy: Lizenzen",
+  about: version => `Über Rosy ${version}: Lizenzen`,
   language: "Sprache",
   theme: "Farben",
   themes: {auto: "Wie das System", light: "Hell", dark: "Dunkel"},
@@ -265,6 +285,10 @@ export const page: Omit<
     simulatedHint: "Er lebt im Raum auf dieser Seite, und nichts kann kaputtgehen.",
     free: "frei",
     has: who => `${who} hat ihn`,
+    domain: domain => `ROS-2-Domain ${domain}`,
+    charge: percent => `Akku ${percent} %`,
+    volts: volts => `Akku ${short(volts, 1)} V`,
+    discovers: "Ein Roboter auf ROS 2, der in diesem Netz eingeschaltet wird, erscheint hier von selbst.",
     yours: "du hast ihn",
     who: "Dein Name, damit die anderen ihn sehen",
     locked: "Die Roboter sind gesperrt. Wer Rosy gestartet hat, kann dir den Code sagen.",
@@ -325,7 +349,7 @@ export const page: Omit<
     done: "Fertig",
     error: "Durch ein Problem beendet",
     stuck: "Durch ein Problem beendet",
-    hole: "An einer leeren Stelle angehalten",
+    hole: "Leere Stelle erreicht",
     stopped: "Angehalten",
     time: "Die Zeit ist um",
     refused: "Nicht gestartet",
@@ -343,6 +367,38 @@ export const page: Omit<
     notText: {
       message: name => `In ${name} steht kein Text.`,
       hint: "Rosy öffnet Programme: Dateien, die auf .rosy oder .hs enden.",
+    },
+    olderEncoding: {
+      message: ({name, encoding, number, line}) =>
+        `${name} ist in der Kodierung ${encoding} gespeichert, nicht in UTF-8: siehe Zeile ${number}, „${line.trim()}“.`,
+      hint: "Wenn die Zeile stimmt, lies die Datei so. Rosy speichert sie in UTF-8.",
+      readAs: encoding => `Als ${encoding} lesen`,
+    },
+    emptyFile: {
+      message: name => `${name} ist leer.`,
+      hint: "Darin ist kein Programm zum Öffnen.",
+    },
+    confusable: {
+      message: (name, n, {character, plain, name: called}) =>
+        `${name}: ${count(n, {one: "Ein Zeichen sieht richtig aus und ist es nicht", other: k => `${k} Zeichen sehen richtig aus und sind es nicht. Das erste`})}: ${plain.trim() === "" ? `eines, das man nicht sieht (${called})` : `‘${character}’ (${called}) statt ‘${plain}’`}.`,
+      hint: "Kommentare und Texte in Anführungszeichen bleiben, wie sie sind.",
+      repair: "Reparieren",
+    },
+    severalPrograms: {
+      message: (name, n) => `In ${name} sind ${n} Programme.`,
+      hint: unread =>
+        unread === 0
+          ? "Wähle eines."
+          : `Wähle eines. ${count(unread, {one: "Ein weiteres ließ", other: n => `${n} weitere ließen`})} sich nicht lesen.`,
+    },
+    noPrograms: name => `In ${name} sind keine Programme.`,
+    tooManyFiles: {
+      message: name => `In ${name} ist zu viel.`,
+      hint: "Rosy sieht höchstens 2.000 Dateien und 20 Millionen Zeichen an. Zieh den Ordner hierher, in dem dein Programm ist.",
+    },
+    damagedArchive: {
+      message: name => `${name} lässt sich nicht entpacken.`,
+      hint: "Die Datei ist beschädigt oder hat ein Passwort. Entpacke sie auf deinem Computer und zieh den Ordner hierher.",
     },
     notProgram: name => `${name} ist kein Programm.`,
     tooLarge: {
@@ -370,10 +426,19 @@ export const page: Omit<
         }),
       hint: "Sie sind nicht fertig, oder beim Setzen wäre etwas verloren gegangen.",
     },
+    otherMeaning: {
+      message: name =>
+        `Der Haskell-Text von ${name} kann diese Änderung an den Blöcken nicht genau sagen. Sie wurde nicht gemacht.`,
+      hint: "Mache die Änderung im Haskell-Text, oder baue diese Stelle anders.",
+    },
     unfinishedText: {
       message: name =>
         `Im Haskell-Text noch nicht fertig: ${name}. Diese Änderung an den Blöcken wurde nicht gemacht.`,
       hint: "Schreibe die Zeile im Text zu Ende oder drücke „Rückgängig“, dann ändere die Blöcke. Blöcke, die schon im Text stehen, kannst du ändern.",
+    },
+    progressNotSaved: {
+      message: "Dieser Browser hat keinen Platz mehr, um deinen Stand in der Lektion zu behalten.",
+      hint: "Lösche Programme unter „Meine Programme“, und mach dann den nächsten Schritt. Dein Programm ist nicht betroffen.",
     },
     notSaved: {
       message: "Dieser Browser hat keinen Platz, um dein Programm zu behalten.",

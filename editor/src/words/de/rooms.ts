@@ -98,6 +98,7 @@ export const world: Words["world"] = {
   start: "Start des Roboters",
   wall: n => `Wand ${n}`,
   box: (n, movable) => `${movable ? "Kiste" : "Klotz"} ${n}`,
+  unknown: n => `Unbekannter Bereich ${n}`,
   round: (n, movable) => `${movable ? "Tonne" : "Pfosten"} ${n}`,
   goals: {
     reach: "Komm an den Ort",

@@ -44,6 +44,7 @@ export const why: typeof english = {
     "first-value": "%{type} war %{value}, der erste Wert: Keine Funktion hatte etwas anderes gemerkt.",
     "old-value": "%{type} war seit langem %{value}.",
     "not-written": "Keine Funktion hat etwas in %{type} geschrieben: Es hat seinen ersten Wert.",
+    "from-start": "%{type} war von Anfang an %{value}: Was seitdem gemerkt wurde, war dasselbe.",
     remembered: "%{type} war %{value} seit %{since}: %{other} hat es sich gemerkt.",
     "had-come": "%{value} war bei %{since} gekommen.",
     "ran-message": "%{function} lief bei %{time}, denn %{happened}.",

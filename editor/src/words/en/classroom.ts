@@ -14,7 +14,7 @@ export const classroom = {
   iAmNew: "I am new here",
   without: "Without the class",
   privacy:
-    "Your programs are stored on your teacher's computer, under this nickname. Nothing else is stored.",
+    "Your programs and what you have done in lessons are stored on your teacher's computer, under this nickname. Nothing else is stored.",
   noConnection: "There is no connection to your teacher's computer. Trying again…",
   refused: {
     code: "This is not the code of the class. Look again at what your teacher shows.",
@@ -22,8 +22,14 @@ export const classroom = {
     attempts: "That was wrong too many times. Wait ten seconds and try again.",
     taken: "This nickname is taken. If it is yours, press “I joined before”; if not, choose a different one.",
     full: "The class is full. Ask your teacher.",
+    joins:
+      "Too many pupils have joined from here. If you joined before, press “I joined before”; if not, ask your teacher.",
     disk: "This class cannot let you in: its disk is full. Tell your teacher.",
     database: "The class cannot be reached: its database does not answer. Try again in a moment.",
+    locked:
+      "The class door is locked: nobody new gets in now. Ask your teacher. If you joined before, press “I joined before”.",
+    removed:
+      "Your teacher has taken you out of the class. Your work stays in this browser. Ask your teacher.",
     "nickname-empty": "A nickname needs at least one letter or digit.",
     "nickname-long": "A nickname has at most 24 letters.",
     "nickname-letters": "This nickname has characters that cannot be seen or read. Use letters and digits.",
@@ -56,8 +62,8 @@ export const classroom = {
   later: "Not now",
   fromTeacher: "From your teacher",
   task: {
-    task: "Task:",
-    label: (title: string) => `Task: ${title}`,
+    task: "Assignment:",
+    label: (title: string) => `Assignment: ${title}`,
     until: (when: string) => `until ${when}`,
     handIn: "Hand in",
     again: "Hand in again",
@@ -126,6 +132,7 @@ export const classroom = {
     sendAll: "Send to all",
     sendSome: (n: number) => (n === 1 ? "Send to one pupil" : `Send to ${n} pupils`),
     sendHint: "To all. For some pupils only, select them on their cards below.",
+    unfinished: (title: string) => `${title} (not finished)`,
     sendGone: "This program is not in the browser any more. Choose another one.",
     sentLater: (pupils: number) =>
       pupils === 1
@@ -141,6 +148,17 @@ export const classroom = {
       hand: "Raised hand",
       error: "An error for a minute",
       idle: "No run for five minutes",
+    },
+    mostIdle: "Most of the class has not run anything for five minutes.",
+    overview: {
+      title: "Overview",
+      cardOf: (nickname: string) => `Card of ${nickname}`,
+    },
+    suspended: {
+      seconds: (n: number, when: string) =>
+        `Rosy stood still for ${n} s until ${when}: this computer slept, or its lid was closed. Pupils' pages come back by themselves.`,
+      minutes: (n: number, when: string) =>
+        `Rosy stood still for ${n} min until ${when}: this computer slept, or its lid was closed. Pupils' pages come back by themselves.`,
     },
     lower: "I have seen it",
     away: "not connected",
@@ -162,7 +180,7 @@ export const classroom = {
     close: "Close",
     refused: {
       deadline: "The deadline has passed already. Choose a later one.",
-      tasks: "This class has 200 tasks, the most that a class can have.",
+      tasks: "This class has 200 assignments, the most that a class can have.",
       comments: "This pupil has 200 comments, the most that there can be. Take back some of them.",
       disk: "Rosy cannot store it: the disk is full or broken.",
       database: "The database of the class does not answer. Try again in a moment.",
@@ -184,7 +202,7 @@ export const classroom = {
       count: (done: number, of: number) => `${done} of ${of} comments done`,
     },
     backUp: "Back up the class (ZIP)",
-    backUpHint: "All programs with all versions, tasks and what was handed in, as one file.",
+    backUpHint: "All programs with all versions, assignments and what was handed in, as one file.",
     sharing: {
       follows:
         "A copy to look at and to run. It follows what the pupil saves; changes here do not reach the pupil.",
@@ -211,8 +229,60 @@ export const classroom = {
       show: "Show on the projector",
       showOf: (nickname: string) => `Show on the projector: ${nickname}`,
     },
+    roster: {
+      title: "Pupils",
+      lock: "Lock the door",
+      unlock: "Open the door",
+      locked: "The door is locked: nobody new gets in.",
+      lockHint: "Nobody new gets in; pupils of the class come back as always.",
+      print: "Print cards with the three words",
+      printSome: (n: number) => (n === 1 ? "Print the card of one pupil" : `Print the cards of ${n} pupils`),
+      list: "Add a list of names",
+      names: "Names, one a line; of a table the first column",
+      tooMany: (most: number) => `At most ${most} names at once.`,
+      file: "or a file with them",
+      listHint: "Each gets three words at once. With the card a pupil presses “I joined before”.",
+      add: (n: number) => (n === 0 ? "Add" : n === 1 ? "Add one name" : `Add ${n} names`),
+      added: (n: number) => (n === 1 ? "One pupil was added." : `${n} pupils were added.`),
+      change: "Change",
+      changeOf: (nickname: string) => `Change the entry of ${nickname}`,
+      nameOf: (nickname: string) => `New name for ${nickname}`,
+      rename: "Rename",
+      sameAs: "The same child as",
+      sameAsOf: (nickname: string) => `${nickname} is the same child as`,
+      merging: (nickname: string, into: string) =>
+        `${nickname} becomes a part of ${into}: all programs, hand-ins and lessons of both stay, and the words of both work. Of two hand-ins for the same thing the newer one counts, the older one becomes a program. This cannot be undone.`,
+      merge: "Make them one",
+      remove: "Remove from the class",
+      removeSome: (n: number) => (n === 1 ? "Remove one pupil" : `Remove ${n} pupils`),
+      removing: (names: string) =>
+        `${names}: programs, hand-ins and progress in lessons leave the class with the name. For 30 days you can bring them back here; then they are deleted.`,
+      removeThem: (n: number) => (n === 1 ? "Remove this pupil" : `Remove these ${n} pupils`),
+      cancel: "Cancel",
+      removed: "Removed",
+      until: (when: string) => `until ${when}`,
+      restore: "Bring back",
+      restoreOf: (nickname: string) => `Bring ${nickname} back`,
+      refused: {
+        taken: "Another pupil has this name.",
+        full: "The class is full.",
+        "nickname-empty": "A name needs at least one letter or digit.",
+        "nickname-long": "A name has at most 24 letters.",
+        "nickname-letters": "This name has characters that cannot be seen or read.",
+      },
+      card: {
+        how: (button: string) => `Press “${button}”. Type the class code and your three words.`,
+      },
+    },
+    lessons: {
+      title: "Lessons",
+      caption: "Steps of each lesson that each pupil has done. The backup has this table, too.",
+      steps: (done: number, of: number) => `${done} of ${of}`,
+    },
     check: {
       title: "Check all in rooms",
+      lesson: "what its lesson checks",
+      unmet: (checks: readonly string[]) => `Not passed: ${checks.join("; ")}.`,
       own: "the room that was handed in, then rooms like it",
       roomOf: (name: string) => `the room of “${name}”, then rooms like it`,
       seed: "Which rooms (another number, other rooms)",
@@ -241,18 +311,19 @@ export const classroom = {
         compile: "The program does not compile:",
         room: "The room that was handed in cannot be used for this check.",
         time: "The check took too long.",
+        lesson: "This program was made in no lesson; choose another check for it.",
         lost: "The check of this program was interrupted. Check again.",
       },
     },
     task: {
-      task: "Task",
-      title: "Title of a task",
+      task: "Assignment",
+      title: "Title of an assignment",
       deadline: "Hand in until (may stay empty)",
-      open: "Open the task",
+      open: "Open the assignment",
       noDeadline: "No deadline",
       until: (when: string) => `Until ${when}`,
       count: (handedIn: number, of: number) => `${handedIn} of ${of} have handed in.`,
-      end: "End the task",
+      end: "End the assignment",
       handIns: "Handed in",
       option: (title: string, opened: string) => `${title} (${opened})`,
       pupil: "Pupil",

@@ -67,6 +67,18 @@ export const lessons = {
       (n ?? 0) === 0
         ? "It did not drive backwards."
         : `Backwards it was at most ${measure(n)} metres a second fast in ${time ?? 0} s.`,
+    "came-far": (n: number | null) => `It came ${measure(n)} metres away from its start.`,
+    "not-back": (n: number | null) => `It ended ${measure(n)} metres from its start.`,
+    "ends-far": (n: number | null) => `It ended ${measure(n)} metres from there.`,
+    "not-faster": (_n: number | null, time: number | null, name: string) =>
+      `\`${name}\` happened${seconds(time)}, and it did not get faster.`,
+    varied: (n: number | null) => `${n ?? 0} different values were sent.`,
+    "not-again": (n: number | null, _t: number | null, name: string) =>
+      `\`${name}\` happened ${n ?? 0} times, and it was never as at first again.`,
+    miscounted: (n: number | null, time: number | null, name: string) =>
+      `It said ${name}${seconds(time)}, and it was number ${n ?? 0}.`,
+    "not-measured": (n: number | null) =>
+      `It drove ${Math.round(n ?? 0)} centimetres, and no such number was said.`,
     "goes-on": (_n: number | null, time: number | null) => `The program was not over${seconds(time)}.`,
     "not-said": (_n: number | null, _t: number | null, name: string) => `“${name}” was not said.`,
     "not-sent": (_n: number | null, _t: number | null, name: string) => `\`${name}\` was not sent.`,

@@ -1,6 +1,13 @@
 /// The sentences and labels of the page in English.
 
+import type {OlderEncoding} from "@rosy/codegen/text-file"
 import {measuresOf} from "../number_formats.ts"
+
+interface NamedCharacter {
+  readonly character: string
+  readonly plain: string
+  readonly name: string
+}
 
 const {short, seconds, count} = measuresOf("en")
 
@@ -127,11 +134,8 @@ export const page = {
     "Control character": "Invisible character",
   },
   showIt: "Show it",
-  waysOut: {
-    memory: () => "Remember it with Memory",
-    either: () => "One function with Either",
-    mux: ({loser}: {readonly loser: string}) => `Let ${loser} go first for a second (mux)`,
-  },
+  nothingRuns: (name: string) => `Nothing runs yet. Run \`${name}\`?`,
+  runIt: (name: string) => `Run ${name}`,
   readMore: "Read more",
   fromToolbox: "From the toolbox",
   writeType: (signature: string) => `Write its type: ${signature}`,
@@ -148,6 +152,13 @@ export const page = {
     title: "Share",
     lead: "The link contains the whole program and its room. Nothing is uploaded.",
     making: "Making the link…",
+    /// About a link whose page has an address of this computer alone.
+    reach: {
+      network:
+        "The address of this page leads to this computer alone. The link has its address on the network instead: others there can open it while Rosy runs here.",
+      computer:
+        "This link leads to this computer alone. For others save the program as a file, or start Rosy with `--host 0.0.0.0` and share again.",
+    },
     link: "Link",
     copy: "Copy",
     copied: "Copied.",
@@ -156,8 +167,26 @@ export const page = {
     codeHint: "The QR code contains the program and its room, but not the places of the blocks.",
     noCode: "This program is too long for a QR code. The link has room for it.",
     embed: "To put it into a page of your own",
+    page: "Save a page that works everywhere",
+    pageHint:
+      "One file with the blocks, the Haskell and the film of the last run. It opens without Rosy, from a disk or a website.",
+    pageWithoutFilm:
+      "One file with the blocks and the Haskell. Run the program first, and it has the film of the run as well.",
     print: "Print blocks and Haskell",
     openInRosy: "Open in Rosy",
+  },
+  /// In the file that *Share* saves.
+  sharedPage: {
+    film: "The last run",
+    noFilm: "The program had not run when this page was made.",
+    olderFilm: "The film shows the program before its last changes.",
+    play: "Play",
+    reach: {
+      network:
+        "The link works for others on the same network, while Rosy runs on the computer where this page was made.",
+      computer: "The link works only on the computer where this page was made, while Rosy runs there.",
+    },
+    made: (version: string) => `Made with Rosy ${version}`,
   },
   driveByHand: "Drive by hand (ROS)",
   /// The page that help links to Haskell's own names lead to.
@@ -173,7 +202,7 @@ export const page = {
     /// Of a lesson, a problem, or a part of the page.
     more: "Read more in the guide",
   },
-  about: "About Rosy: licences",
+  about: (version: string) => `About Rosy ${version}: licences`,
   language: "Language",
   theme: "Colours",
   themes: {auto: "As the system", light: "Light", dark: "Dark"},
@@ -256,6 +285,10 @@ export const page = {
     simulatedHint: "It lives in the room of this page, and nothing can break.",
     free: "free",
     has: (who: string) => `${who} has it`,
+    domain: (domain: number) => `ROS 2 domain ${domain}`,
+    charge: (percent: number) => `battery ${percent}%`,
+    volts: (volts: number) => `battery ${short(volts, 1)} V`,
+    discovers: "A robot on ROS 2 that is switched on in this network appears here by itself.",
     yours: "you have it",
     who: "Your name, for the others to see",
     locked: "The robots are locked. The person who started Rosy can tell you the code.",
@@ -338,6 +371,38 @@ export const page = {
       message: (name: string) => `${name} does not hold text.`,
       hint: "Rosy opens programs: files that end in .rosy or .hs.",
     },
+    olderEncoding: {
+      message: ({name, encoding, number, line}: OlderEncoding & {readonly name: string}) =>
+        `${name} is in the encoding ${encoding}, not in UTF-8: see line ${number}, “${line.trim()}”.`,
+      hint: "If the line is right, read the file so. Rosy saves it in UTF-8.",
+      readAs: (encoding: string) => `Read it as ${encoding}`,
+    },
+    emptyFile: {
+      message: (name: string) => `${name} is empty.`,
+      hint: "There is no program in it to open.",
+    },
+    confusable: {
+      message: (name: string, n: number, {character, plain, name: called}: NamedCharacter) =>
+        `${count(n, {one: `${name} has one character that looks right and is not`, other: k => `${name} has ${k} characters that look right and are not. The first`})}: ${plain.trim() === "" ? `one that cannot be seen (${called})` : `‘${character}’ (${called}) for ‘${plain}’`}.`,
+      hint: "Comments and texts in quotation marks stay as they are.",
+      repair: "Repair",
+    },
+    severalPrograms: {
+      message: (name: string, n: number) => `${name} has ${n} programs.`,
+      hint: (unread: number) =>
+        unread === 0
+          ? "Choose one."
+          : `Choose one. ${count(unread, {one: "One more", other: n => `${n} more`})} could not be read.`,
+    },
+    noPrograms: (name: string) => `There are no programs in ${name}.`,
+    tooManyFiles: {
+      message: (name: string) => `${name} has too much in it.`,
+      hint: "Rosy looks at 2,000 files and 20 million letters at most. Drop the folder that your program is in.",
+    },
+    damagedArchive: {
+      message: (name: string) => `${name} cannot be unpacked.`,
+      hint: "It is damaged or has a password. Unpack it on your computer and drop the folder.",
+    },
     notProgram: (name: string) => `${name} is not a program.`,
     tooLarge: {
       message: (name: string) => `${name} is too large.`,
@@ -364,10 +429,19 @@ export const page = {
         }),
       hint: "They are not finished, or laying them out would have lost something.",
     },
+    otherMeaning: {
+      message: (name: string) =>
+        `The Haskell text of ${name} cannot say this change of the blocks exactly. The change was not made.`,
+      hint: "Make the change in the Haskell text, or build this place in another way.",
+    },
     unfinishedText: {
       message: (name: string) =>
         `Not finished in the Haskell text: ${name}. This change of the blocks was not made.`,
       hint: "Finish the line in the text or press Undo, then change the blocks. Blocks that the text already says can be changed.",
+    },
+    progressNotSaved: {
+      message: "This browser has no room to keep what you did in the lesson.",
+      hint: "Delete programs in My programs, then do the next step. Your program is not affected.",
     },
     notSaved: {
       message: "This browser has no room to keep your program.",

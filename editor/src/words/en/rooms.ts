@@ -96,6 +96,7 @@ export const world = {
   start: "Start of the robot",
   wall: (n: number) => `Wall ${n}`,
   box: (n: number, movable: boolean) => `${movable ? "Box" : "Block"} ${n}`,
+  unknown: (n: number) => `Unscanned area ${n}`,
   round: (n: number, movable: boolean) => `${movable ? "Drum" : "Post"} ${n}`,
   /// What a goal without a title of its own is called; the service says the same (`world/goals.py`).
   goals: {

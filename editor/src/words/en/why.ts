@@ -44,6 +44,7 @@ export const why = {
     "first-value": "%{type} was %{value}, its first value: no function had written it.",
     "old-value": "%{type} was %{value} for a long time.",
     "not-written": "No function had written %{type}: it has its first value.",
+    "from-start": "%{type} was %{value} from the start: what was remembered since then was the same.",
     remembered: "%{type} was %{value} since %{since}: %{other} remembered it.",
     "had-come": "%{value} had come at %{since}.",
     "ran-message": "%{function} ran at %{time} because %{happened}.",

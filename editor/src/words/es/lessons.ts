@@ -70,6 +70,15 @@ export const lessons: Words["lessons"] = {
       (n ?? 0) === 0
         ? "No fue hacia atrás."
         : `Hacia atrás fue como mucho a ${measure(n)} metros por segundo en ${time ?? 0} s.`,
+    "came-far": n => `Se alejó ${measure(n)} metros del inicio.`,
+    "not-back": n => `Al final estaba a ${measure(n)} metros del inicio.`,
+    "ends-far": n => `Al final estaba a ${measure(n)} metros de ahí.`,
+    "not-faster": (_n, time, name) => `\`${name}\` pasó${seconds(time)}, y no se hizo más rápido.`,
+    varied: n => `Valores distintos enviados: ${n ?? 0}.`,
+    "not-again": (n, _t, name) =>
+      `\`${name}\` pasó (veces: ${n ?? 0}), y nunca volvió a ser como al principio.`,
+    miscounted: (n, time, name) => `Dijo ${name}${seconds(time)}, y era el número ${n ?? 0}.`,
+    "not-measured": n => `Avanzó ${Math.round(n ?? 0)} cm, y no se dijo ese número.`,
     "goes-on": (_n, time) => `El programa no había terminado${seconds(time)}.`,
     "not-said": (_n, _t, name) => `No se dijo «${name}».`,
     "not-sent": (_n, _t, name) => `No se envió \`${name}\`.`,

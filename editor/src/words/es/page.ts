@@ -147,11 +147,8 @@ export const page: Omit<
     "Control character": "Carácter invisible",
   },
   showIt: "Mostrar dónde",
-  waysOut: {
-    memory: () => "Recordarlo con Memory",
-    either: () => "Una sola función con Either",
-    mux: ({loser}) => `Dejar que ${loser} vaya primero durante un segundo (mux)`,
-  },
+  nothingRuns: name => `Todavía no se ejecuta nada. ¿Ejecutar \`${name}\`?`,
+  runIt: name => `Ejecutar ${name}`,
   readMore: "Leer más",
   fromToolbox: "De la caja de herramientas",
   writeType: signature => `Escribir su tipo: ${signature}`,
@@ -168,6 +165,12 @@ export const page: Omit<
     title: "Compartir",
     lead: "El enlace contiene todo el programa y su sala. No se sube nada a internet.",
     making: "Creando el enlace…",
+    reach: {
+      network:
+        "La dirección de esta página solo lleva a este ordenador. El enlace tiene en su lugar su dirección en la red: los demás pueden abrirlo mientras Rosy funcione aquí.",
+      computer:
+        "Este enlace solo lleva a este ordenador. Para otras personas guarda el programa como archivo, o inicia Rosy con `--host 0.0.0.0` y vuelve a compartir.",
+    },
     link: "Enlace",
     copy: "Copiar",
     copied: "Copiado.",
@@ -176,8 +179,26 @@ export const page: Omit<
     codeHint: "El código QR contiene el programa y su sala, pero no dónde están colocados los bloques.",
     noCode: "Este programa es demasiado largo para un código QR. En el enlace sí cabe.",
     embed: "Para ponerlo en una página tuya",
+    page: "Guardar una página que funciona en todas partes",
+    pageHint:
+      "Un solo archivo con los bloques, el Haskell y la película de la última ejecución. Se abre sin Rosy, desde un disco o un sitio web.",
+    pageWithoutFilm:
+      "Un solo archivo con los bloques y el Haskell. Ejecuta primero el programa, y tendrá también la película de la ejecución.",
     print: "Imprimir bloques y Haskell",
     openInRosy: "Abrir en Rosy",
+  },
+  sharedPage: {
+    film: "La última ejecución",
+    noFilm: "El programa aún no se había ejecutado cuando se hizo esta página.",
+    olderFilm: "La película muestra el programa antes de sus últimos cambios.",
+    play: "Reproducir",
+    reach: {
+      network:
+        "El enlace funciona para otros en la misma red, mientras Rosy esté en marcha en el ordenador donde se hizo esta página.",
+      computer:
+        "El enlace solo funciona en el ordenador donde se hizo esta página, mientras Rosy esté en marcha allí.",
+    },
+    made: version => `Hecho con Rosy ${version}`,
   },
   driveByHand: "Conducir a mano (ROS)",
   help: {
@@ -190,7 +211,7 @@ export const page: Omit<
     isEnglish: "Esta página de la guía está solo en inglés.",
     more: "Leer más en la guía",
   },
-  about: "Sobre Rosy: licencias",
+  about: version => `Sobre Rosy ${version}: licencias`,
   language: "Idioma",
   theme: "Colores",
   themes: {auto: "Como el sistema", light: "Claros", dark: "Oscuros"},
@@ -274,6 +295,10 @@ export const page: Omit<
     simulatedHint: "Vive en la sala de esta página, y no se puede romper nada.",
     free: "está libre",
     has: who => `lo tiene ${who}`,
+    domain: domain => `dominio ${domain} de ROS 2`,
+    charge: percent => `batería ${percent} %`,
+    volts: volts => `batería ${short(volts, 1)} V`,
+    discovers: "Un robot en ROS 2 que se enciende en esta red aparece aquí por sí solo.",
     yours: "lo tienes tú",
     who: "Tu nombre, para que lo vean los demás",
     locked: "Los robots están bloqueados. La persona que inició Rosy te puede decir el código.",
@@ -353,6 +378,38 @@ export const page: Omit<
       message: name => `${name} no contiene texto.`,
       hint: "Rosy abre programas: archivos que terminan en .rosy o .hs.",
     },
+    olderEncoding: {
+      message: ({name, encoding, number, line}) =>
+        `${name} está en la codificación ${encoding}, no en UTF-8: mira la línea ${number}, «${line.trim()}».`,
+      hint: "Si la línea está bien, lee el archivo así. Rosy lo guarda en UTF-8.",
+      readAs: encoding => `Leerlo como ${encoding}`,
+    },
+    emptyFile: {
+      message: name => `${name} está vacío.`,
+      hint: "No hay en él ningún programa que abrir.",
+    },
+    confusable: {
+      message: (name, n, {character, plain, name: called}) =>
+        `${name}: ${count(n, {one: "un carácter parece correcto y no lo es", other: k => `${k} caracteres parecen correctos y no lo son. El primero`})}: ${plain.trim() === "" ? `uno que no se ve (${called})` : `‘${character}’ (${called}) en lugar de ‘${plain}’`}.`,
+      hint: "Los comentarios y los textos entre comillas se quedan como están.",
+      repair: "Reparar",
+    },
+    severalPrograms: {
+      message: (name, n) => `${name} tiene ${n} programas.`,
+      hint: unread =>
+        unread === 0
+          ? "Elige uno."
+          : `Elige uno. ${count(unread, {one: "Otro más no se pudo", other: n => `Otros ${n} no se pudieron`})} leer.`,
+    },
+    noPrograms: name => `No hay programas en ${name}.`,
+    tooManyFiles: {
+      message: name => `${name} contiene demasiado.`,
+      hint: "Rosy mira como máximo 2000 archivos y 20 millones de letras. Suelta aquí la carpeta donde está tu programa.",
+    },
+    damagedArchive: {
+      message: name => `${name} no se puede descomprimir.`,
+      hint: "Está dañado o tiene contraseña. Descomprímelo en tu ordenador y suelta aquí la carpeta.",
+    },
     notProgram: name => `${name} no es un programa.`,
     tooLarge: {
       message: name => `${name} es demasiado grande.`,
@@ -379,10 +436,19 @@ export const page: Omit<
         }),
       hint: "No están terminadas, o al darles formato se habría perdido algo.",
     },
+    otherMeaning: {
+      message: name =>
+        `El texto Haskell de ${name} no puede decir exactamente este cambio de los bloques. El cambio no se ha hecho.`,
+      hint: "Haz el cambio en el texto Haskell o construye este lugar de otra manera.",
+    },
     unfinishedText: {
       message: name =>
         `Todavía no está completo en el texto Haskell: ${name}. Este cambio de los bloques no se ha hecho.`,
       hint: "Termina la línea en el texto o pulsa Deshacer y después cambia los bloques. Los bloques que el texto ya dice se pueden cambiar.",
+    },
+    progressNotSaved: {
+      message: "Este navegador no tiene espacio para guardar lo que llevas hecho de la lección.",
+      hint: "Elimina programas en Mis programas y haz después el siguiente paso. Tu programa no se ve afectado.",
     },
     notSaved: {
       message: "Este navegador no tiene espacio para guardar tu programa.",

@@ -98,6 +98,7 @@ export const world: Words["world"] = {
   start: "Inicio del robot",
   wall: n => `Pared ${n}`,
   box: (n, movable) => `${movable ? "Caja" : "Bloque fijo"} ${n}`,
+  unknown: n => `Área desconocida ${n}`,
   round: (n, movable) => `${movable ? "Barril" : "Poste"} ${n}`,
   goals: {
     reach: "Llega al lugar",

@@ -45,6 +45,7 @@ export const why: Words["why"] = {
     "first-value": "%{type} era %{value}, su primer valor: ninguna función lo había escrito.",
     "old-value": "%{type} era %{value} desde hacía mucho tiempo.",
     "not-written": "Ninguna función había escrito %{type}: tiene su primer valor.",
+    "from-start": "%{type} era %{value} desde el principio: lo que se recordó desde entonces era lo mismo.",
     remembered: "%{type} era %{value} desde los %{since}: %{other} lo recordó.",
     "had-come": "%{value} había llegado a los %{since}.",
     "ran-message": "%{function} se ejecutó a los %{time} porque %{happened}.",

@@ -19,7 +19,7 @@ export const classroom: Words["classroom"] = {
   iAmNew: "C'est ma première fois",
   without: "Sans la classe",
   privacy:
-    "Tes programmes sont enregistrés sur l'ordinateur de ton prof, sous ce surnom. Rien d'autre n'est enregistré.",
+    "Tes programmes et ce que tu as fait dans les leçons sont enregistrés sur l'ordinateur de ton prof, sous ce surnom. Rien d'autre n'est enregistré.",
   noConnection: "Pas de connexion avec l'ordinateur de ton prof. Nouvel essai…",
   refused: {
     code: "Ce n'est pas le code de la classe. Regarde encore une fois ce qui est affiché.",
@@ -28,8 +28,13 @@ export const classroom: Words["classroom"] = {
     taken:
       "Ce surnom est déjà pris. Si c'est le tien, appuie sur « J'étais déjà là » ; sinon, choisis-en un autre.",
     full: "La classe est pleine. Demande à ton prof.",
+    joins:
+      "Trop d'élèves sont entrés dans la classe depuis ici. Si tu es déjà venu, appuie sur « J'étais déjà là » ; sinon, demande à ton prof.",
     disk: "Cette classe ne peut pas t'accueillir : son disque est plein. Dis-le à ton prof.",
     database: "La classe n'est pas joignable : sa base de données ne répond pas. Réessaie dans un instant.",
+    locked:
+      "La porte de la classe est fermée à clé : aucun nouvel élève n'entre maintenant. Demande à ton prof. Si tu étais déjà là, appuie sur « J'étais déjà là ».",
+    removed: "Ton prof t'a retiré de la classe. Ton travail reste dans ce navigateur. Demande à ton prof.",
     "nickname-empty": "Un surnom a besoin d'au moins une lettre ou un chiffre.",
     "nickname-long": "Un surnom a au plus 24 lettres.",
     "nickname-letters":
@@ -135,6 +140,7 @@ export const classroom: Words["classroom"] = {
     sendAll: "Envoyer à tous",
     sendSome: n => (n === 1 ? "Envoyer à une personne" : `Envoyer à ${n} personnes`),
     sendHint: "À tous. Pour n'envoyer qu'à quelques élèves, sélectionnez-les plus bas sur leurs cartes.",
+    unfinished: title => `${title} (pas terminée)`,
     sendGone: "Ce programme n'est plus dans le navigateur. Choisissez-en un autre.",
     sentLater: pupils =>
       pupils === 1
@@ -150,6 +156,17 @@ export const classroom: Words["classroom"] = {
       hand: "Main levée",
       error: "Une erreur depuis une minute",
       idle: "Rien lancé depuis cinq minutes",
+    },
+    mostIdle: "La plupart des élèves n'ont rien lancé depuis cinq minutes.",
+    overview: {
+      title: "Vue d'ensemble",
+      cardOf: nickname => `Carte de ${nickname}`,
+    },
+    suspended: {
+      seconds: (n, when) =>
+        `Rosy est resté arrêté ${n} s, jusqu'à ${when} : cet ordinateur était en veille ou son écran rabattu. Les pages des élèves reviennent d'elles-mêmes.`,
+      minutes: (n, when) =>
+        `Rosy est resté arrêté ${n} min, jusqu'à ${when} : cet ordinateur était en veille ou son écran rabattu. Les pages des élèves reviennent d'elles-mêmes.`,
     },
     lower: "Vu",
     away: "non connecté",
@@ -194,7 +211,7 @@ export const classroom: Words["classroom"] = {
     },
     backUp: "Sauvegarder la classe (ZIP)",
     backUpHint:
-      "Tous les programmes avec toutes leurs versions, les tâches et ce qui a été rendu, dans un fichier.",
+      "Tous les programmes avec toutes leurs versions, les devoirs et ce qui a été rendu, dans un fichier.",
     sharing: {
       follows:
         "Une copie à regarder et à exécuter. Elle suit ce que l'élève enregistre ; les changements faits ici n'atteignent pas l'élève.",
@@ -221,8 +238,61 @@ export const classroom: Words["classroom"] = {
       show: "Montrer au projecteur",
       showOf: nickname => `Montrer au projecteur : ${nickname}`,
     },
+    roster: {
+      title: "Élèves",
+      lock: "Fermer la porte à clé",
+      unlock: "Ouvrir la porte",
+      locked: "La porte est fermée à clé : aucun nouvel élève n'entre.",
+      lockHint: "Aucun nouvel élève n'entre ; ceux de la classe reviennent comme toujours.",
+      print: "Imprimer des cartes avec les trois mots",
+      printSome: n => (n === 1 ? "Imprimer une carte" : `Imprimer ${n} cartes`),
+      list: "Ajouter une liste de noms",
+      names: "Noms, un par ligne ; d’un tableau, la première colonne",
+      tooMany: (most: number) => `Au plus ${most} noms à la fois.`,
+      file: "ou un fichier",
+      listHint:
+        "Chaque nom reçoit aussitôt trois mots. Avec la carte, l'élève appuie sur « J'étais déjà là ».",
+      add: n => (n === 0 ? "Ajouter" : n === 1 ? "Ajouter un nom" : `Ajouter ${n} noms`),
+      added: n => (n === 1 ? "Un élève a été ajouté." : `${n} élèves ont été ajoutés.`),
+      change: "Modifier",
+      changeOf: nickname => `Modifier l'inscription de ${nickname}`,
+      nameOf: nickname => `Nouveau nom pour ${nickname}`,
+      rename: "Renommer",
+      sameAs: "Le même enfant que",
+      sameAsOf: nickname => `${nickname} est le même enfant que`,
+      merging: (nickname, into) =>
+        `${nickname} devient une partie de ${into} : tous les programmes, travaux rendus et leçons des deux restent, et les mots des deux sont valables. De deux travaux rendus pour la même chose, le plus récent compte, l'autre devient un programme. On ne peut pas revenir en arrière.`,
+      merge: "Réunir",
+      remove: "Retirer de la classe",
+      removeSome: n => (n === 1 ? "Retirer un élève" : `Retirer ${n} élèves`),
+      removing: names =>
+        `${names} : les programmes, les travaux rendus et l'avancement dans les leçons quittent la classe avec le nom. Pendant 30 jours, vous pouvez tout faire revenir ici ; ensuite, tout est effacé.`,
+      removeThem: n => (n === 1 ? "Retirer cet élève" : `Retirer ces ${n} élèves`),
+      cancel: "Annuler",
+      removed: "Retirés",
+      until: when => `jusqu'au ${when}`,
+      restore: "Faire revenir",
+      restoreOf: nickname => `Faire revenir ${nickname}`,
+      refused: {
+        taken: "Un autre élève a ce nom.",
+        full: "La classe est pleine.",
+        "nickname-empty": "Un nom a besoin d'au moins une lettre ou un chiffre.",
+        "nickname-long": "Un nom a 24 lettres au plus.",
+        "nickname-letters": "Ce nom contient des caractères invisibles ou illisibles.",
+      },
+      card: {
+        how: button => `Appuie sur « ${button} ». Tape le code de la classe et tes trois mots.`,
+      },
+    },
+    lessons: {
+      title: "Leçons",
+      caption: "Étapes de chaque leçon que chaque élève a faites. La sauvegarde contient aussi ce tableau.",
+      steps: (done: number, of: number) => `${done} sur ${of}`,
+    },
     check: {
       title: "Tester tous les programmes dans des salles",
+      lesson: "ce que vérifie sa leçon",
+      unmet: (checks: readonly string[]) => `Non réussi : ${checks.join(" ; ")}.`,
       own: "la salle rendue, puis des salles semblables",
       roomOf: name => `la salle de « ${name} », puis des salles semblables`,
       seed: "Quelles salles (autre nombre, autres salles)",
@@ -250,6 +320,7 @@ export const classroom: Words["classroom"] = {
         compile: "Le programme ne se compile pas :",
         room: "La salle rendue ne convient pas à ce test.",
         time: "Le test a duré trop longtemps.",
+        lesson: "Ce programme n’a été fait dans aucune leçon ; choisissez une autre vérification.",
         lost: "Le test de ce programme a été interrompu. Recommencez.",
       },
     },

@@ -79,6 +79,16 @@ export const lessons: Words["lessons"] = {
       (n ?? 0) === 0
         ? "Il n'a pas reculé."
         : `En reculant, sa vitesse en ${time ?? 0} s était au plus de ${measure(n)} par seconde.`,
+    "came-far": n => `Il s'est éloigné de ${measure(n)} de son départ.`,
+    "not-back": n => `À la fin, il était à ${measure(n)} de son départ.`,
+    "ends-far": n => `À la fin, il en était à ${measure(n)}.`,
+    "not-faster": (_n, time, name) =>
+      `\`${name}\` est arrivé${seconds(time)}, et il n'est pas devenu plus rapide.`,
+    varied: n => `Nombre de valeurs différentes envoyées : ${n ?? 0}.`,
+    "not-again": (n, _t, name) =>
+      `\`${name}\` est arrivé (${n ?? 0} fois), et ce n'était plus jamais comme au début.`,
+    miscounted: (n, time, name) => `Il a dit ${name}${seconds(time)}, et c'était le numéro ${n ?? 0}.`,
+    "not-measured": n => `Distance parcourue : ${Math.round(n ?? 0)} cm, et aucun nombre pareil n'a été dit.`,
     "goes-on": (_n, time) => `Le programme n'était pas terminé${seconds(time)}.`,
     "not-said": (_n, _t, name) => `« ${name} » n'a pas été dit.`,
     "not-sent": (_n, _t, name) => `\`${name}\` n'a pas été envoyé.`,

@@ -151,11 +151,8 @@ export const page: Omit<
     "Control character": "Caractère invisible",
   },
   showIt: "Montre-moi",
-  waysOut: {
-    memory: () => "Le retenir avec Memory",
-    either: () => "Une seule fonction avec Either",
-    mux: ({loser}) => `Laisser passer ${loser} d'abord pendant une seconde (mux)`,
-  },
+  nothingRuns: name => `Rien ne s'exécute encore. Exécuter \`${name}\` ?`,
+  runIt: name => `Exécuter ${name}`,
   readMore: "En savoir plus",
   fromToolbox: "Dans la boîte à outils",
   writeType: signature => `Écrire son type : ${signature}`,
@@ -172,6 +169,12 @@ export const page: Omit<
     title: "Partager",
     lead: "Le lien contient tout le programme et sa salle. Rien n'est envoyé sur Internet.",
     making: "Le lien se prépare…",
+    reach: {
+      network:
+        "L'adresse de cette page ne mène qu'à cet ordinateur. Le lien a donc son adresse sur le réseau : les autres peuvent l'ouvrir tant que Rosy tourne ici.",
+      computer:
+        "Ce lien ne mène qu'à cet ordinateur. Pour les autres, enregistre le programme dans un fichier, ou lance Rosy avec `--host 0.0.0.0` et partage à nouveau.",
+    },
     link: "Lien",
     copy: "Copier",
     copied: "Copié.",
@@ -180,8 +183,25 @@ export const page: Omit<
     codeHint: "Le code QR contient le programme et sa salle, mais pas la position des blocs.",
     noCode: "Ce programme est trop long pour un code QR. Le lien peut le contenir.",
     embed: "Pour le mettre dans ta propre page",
+    page: "Enregistrer une page qui marche partout",
+    pageHint:
+      "Un seul fichier avec les blocs, le Haskell et le film de la dernière exécution. Il s’ouvre sans Rosy, depuis un disque ou un site web.",
+    pageWithoutFilm:
+      "Un seul fichier avec les blocs et le Haskell. Exécute d’abord le programme, et il contiendra aussi le film de l’exécution.",
     print: "Imprimer les blocs et le Haskell",
     openInRosy: "Ouvrir dans Rosy",
+  },
+  sharedPage: {
+    film: "La dernière exécution",
+    noFilm: "Le programme n’avait pas encore été exécuté quand cette page a été faite.",
+    olderFilm: "Le film montre le programme avant ses dernières modifications.",
+    play: "Lire",
+    reach: {
+      network:
+        "Le lien marche pour les autres sur le même réseau, tant que Rosy tourne sur l’ordinateur où cette page a été faite.",
+      computer: "Le lien ne marche que sur l’ordinateur où cette page a été faite, tant que Rosy y tourne.",
+    },
+    made: version => `Fait avec Rosy ${version}`,
   },
   driveByHand: "Conduire à la main (ROS)",
   help: {
@@ -194,7 +214,7 @@ export const page: Omit<
     isEnglish: "Cette page du guide n'existe qu'en anglais.",
     more: "En savoir plus dans le guide",
   },
-  about: "À propos de Rosy : licences",
+  about: version => `À propos de Rosy ${version} : licences`,
   language: "Langue",
   theme: "Couleurs",
   themes: {auto: "Comme le système", light: "Clair", dark: "Sombre"},
@@ -275,6 +295,10 @@ export const page: Omit<
     simulatedHint: "Il vit dans la salle de cette page, et rien ne peut se casser.",
     free: "libre",
     has: who => `pris par ${who}`,
+    domain: domain => `domaine ROS 2 ${domain}`,
+    charge: percent => `batterie ${percent} %`,
+    volts: volts => `batterie ${short(volts, 1)} V`,
+    discovers: "Un robot sur ROS 2 que l'on allume dans ce réseau apparaît ici tout seul.",
     yours: "c'est toi qui l'as",
     who: "Ton nom, pour que les autres le voient",
     locked: "Les robots sont verrouillés. La personne qui a lancé Rosy peut te dire le code.",
@@ -355,6 +379,38 @@ export const page: Omit<
       message: name => `${name} ne contient pas de texte.`,
       hint: "Rosy ouvre des programmes : des fichiers qui finissent par .rosy ou .hs.",
     },
+    olderEncoding: {
+      message: ({name, encoding, number, line}) =>
+        `${name} est dans l'encodage ${encoding}, pas en UTF-8 : voir la ligne ${number}, « ${line.trim()} ».`,
+      hint: "Si la ligne est juste, lis le fichier ainsi. Rosy l'enregistre en UTF-8.",
+      readAs: encoding => `Le lire en ${encoding}`,
+    },
+    emptyFile: {
+      message: name => `${name} est vide.`,
+      hint: "Il ne contient pas de programme à ouvrir.",
+    },
+    confusable: {
+      message: (name, n, {character, plain, name: called}) =>
+        `${name} : ${count(n, {one: "un caractère a l'air juste et ne l'est pas", other: k => `${k} caractères ont l'air justes et ne le sont pas. Le premier`})} : ${plain.trim() === "" ? `un caractère invisible (${called})` : `‘${character}’ (${called}) au lieu de ‘${plain}’`}.`,
+      hint: "Les commentaires et les textes entre guillemets restent comme ils sont.",
+      repair: "Réparer",
+    },
+    severalPrograms: {
+      message: (name, n) => `${name} contient ${n} programmes.`,
+      hint: unread =>
+        unread === 0
+          ? "Choisis-en un."
+          : `Choisis-en un. ${count(unread, {one: "Un autre n'a pas pu être lu", other: n => `${n} autres n'ont pas pu être lus`})}.`,
+    },
+    noPrograms: name => `Il n'y a pas de programmes dans ${name}.`,
+    tooManyFiles: {
+      message: name => `${name} contient trop de choses.`,
+      hint: "Rosy regarde au plus 2 000 fichiers et 20 millions de caractères. Dépose le dossier où se trouve ton programme.",
+    },
+    damagedArchive: {
+      message: name => `${name} ne peut pas être décompressé.`,
+      hint: "Il est abîmé ou protégé par un mot de passe. Décompresse-le sur ton ordinateur et dépose le dossier.",
+    },
     notProgram: name => `${name} n'est pas un programme.`,
     tooLarge: {
       message: name => `${name} est trop grand.`,
@@ -381,10 +437,19 @@ export const page: Omit<
         }),
       hint: "Quelque chose n'y est pas terminé, ou la mise en forme aurait perdu quelque chose.",
     },
+    otherMeaning: {
+      message: name =>
+        `Le texte Haskell de ${name} ne peut pas dire exactement ce changement des blocs. Il n'a pas été fait.`,
+      hint: "Fais le changement dans le texte Haskell, ou construis cet endroit autrement.",
+    },
     unfinishedText: {
       message: name =>
         `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n'a pas été fait.`,
       hint: "Termine la ligne dans le texte ou appuie sur Annuler, puis change les blocs. Les blocs que le texte dit déjà peuvent être changés.",
+    },
+    progressNotSaved: {
+      message: "Ce navigateur n'a plus de place pour garder où tu en es dans la leçon.",
+      hint: "Supprime des programmes dans « Mes programmes », puis fais l'étape suivante. Ton programme n'est pas concerné.",
     },
     notSaved: {
       message: "Ce navigateur n'a plus de place pour garder ton programme.",

@@ -99,6 +99,7 @@ export const world: Words["world"] = {
   start: "Départ du robot",
   wall: n => `Mur ${n}`,
   box: (n, movable) => `${movable ? "Caisse" : "Cube"} ${n}`,
+  unknown: n => `Zone inconnue ${n}`,
   round: (n, movable) => `${movable ? "Tonneau" : "Poteau"} ${n}`,
   goals: {
     reach: "Viens à l'endroit",

@@ -44,6 +44,7 @@ export const why: typeof english = {
     "first-value": "%{type} valait %{value}, sa première valeur : aucune fonction n'y avait écrit.",
     "old-value": "%{type} valait %{value} depuis longtemps.",
     "not-written": "Aucune fonction n'avait écrit dans %{type} : il a sa première valeur.",
+    "from-start": "%{type} valait %{value} depuis le début : ce qui a été retenu depuis était pareil.",
     remembered: "%{type} valait %{value} depuis %{since} : %{other} l'avait retenu.",
     "had-come": "%{value} était arrivé à %{since}.",
     "ran-message": "%{function} s'est lancée à %{time}, car %{happened}.",

@@ -16,7 +16,7 @@ export const classroom: Words["classroom"] = {
   iAmNew: "É a minha primeira vez",
   without: "Sem a turma",
   privacy:
-    "Seus programas são guardados no computador do seu professor, com este apelido. Nada mais é guardado.",
+    "Seus programas e o que você fez nas lições são guardados no computador do seu professor, com este apelido. Nada mais é guardado.",
   noConnection: "Não há conexão com o computador do seu professor. Tentando de novo…",
   refused: {
     code: "Este não é o código da turma. Olhe de novo o que o seu professor mostra.",
@@ -26,8 +26,14 @@ export const classroom: Words["classroom"] = {
     taken:
       "Este apelido já está em uso. Se for o seu, aperte “Já entrei antes”; se não, escolha um diferente.",
     full: "A turma está cheia. Fale com o seu professor.",
+    joins:
+      "Pessoas demais entraram na turma a partir daqui. Se você já esteve nela, aperte “Já entrei antes”; se não, fale com o seu professor.",
     disk: "Esta turma não pode receber você: o disco dela está cheio. Avise o seu professor.",
     database: "Não dá para entrar na turma: o banco de dados dela não responde. Tente de novo daqui a pouco.",
+    locked:
+      "A porta da turma está trancada: agora ninguém novo entra. Pergunte ao seu professor. Se você já entrou antes, aperte “Já entrei antes”.",
+    removed:
+      "O seu professor tirou você da turma. O seu trabalho fica neste navegador. Pergunte ao seu professor.",
     "nickname-empty": "Um apelido precisa de pelo menos uma letra ou um algarismo.",
     "nickname-long": "Um apelido tem no máximo 24 letras.",
     "nickname-letters": "Este apelido tem caracteres que não dá para ver ou ler. Use letras e algarismos.",
@@ -60,8 +66,8 @@ export const classroom: Words["classroom"] = {
   later: "Agora não",
   fromTeacher: "Do seu professor",
   task: {
-    task: "Tarefa:",
-    label: title => `Tarefa: ${title}`,
+    task: "Trabalho:",
+    label: title => `Trabalho: ${title}`,
     until: when => `até ${when}`,
     handIn: "Entregar",
     again: "Entregar de novo",
@@ -130,6 +136,7 @@ export const classroom: Words["classroom"] = {
     sendAll: "Enviar a todos",
     sendSome: n => (n === 1 ? "Enviar a uma pessoa" : `Enviar a ${n} pessoas`),
     sendHint: "A todos. Para enviar só a algumas pessoas, selecione-as abaixo nos cartões.",
+    unfinished: title => `${title} (não terminada)`,
     sendGone: "Este programa não está mais no navegador. Escolha outro.",
     sentLater: pupils =>
       pupils === 1
@@ -145,6 +152,17 @@ export const classroom: Words["classroom"] = {
       hand: "Mão levantada",
       error: "Um erro há um minuto",
       idle: "Cinco minutos sem executar",
+    },
+    mostIdle: "A maior parte da turma não executou nada em cinco minutos.",
+    overview: {
+      title: "Visão geral",
+      cardOf: nickname => `Cartão de ${nickname}`,
+    },
+    suspended: {
+      seconds: (n, when) =>
+        `O Rosy ficou parado por ${n} s, até ${when}: este computador estava suspenso ou com a tampa fechada. As páginas dos alunos voltam sozinhas.`,
+      minutes: (n, when) =>
+        `O Rosy ficou parado por ${n} min, até ${when}: este computador estava suspenso ou com a tampa fechada. As páginas dos alunos voltam sozinhas.`,
     },
     lower: "Já vi",
     away: "sem conexão",
@@ -166,7 +184,7 @@ export const classroom: Words["classroom"] = {
     close: "Fechar",
     refused: {
       deadline: "Esse prazo já passou. Escolha um mais tarde.",
-      tasks: "Esta turma tem 200 tarefas, o máximo possível.",
+      tasks: "Esta turma tem 200 trabalhos, o máximo possível.",
       comments: "Há 200 comentários para este aluno, o máximo. Retire alguns.",
       disk: "Rosy não consegue guardar: o disco está cheio ou com defeito.",
       database: "O banco de dados da turma não responde. Tente de novo daqui a pouco.",
@@ -188,7 +206,7 @@ export const classroom: Words["classroom"] = {
       count: (done, of) => `${done} de ${of} comentários feitos`,
     },
     backUp: "Fazer cópia de segurança da turma (ZIP)",
-    backUpHint: "Todos os programas com todas as versões, tarefas e entregas, em um arquivo.",
+    backUpHint: "Todos os programas com todas as versões, trabalhos e entregas, em um arquivo.",
     sharing: {
       follows:
         "Uma cópia para ver e executar. Ela acompanha o que o aluno salva; as mudanças aqui não chegam ao aluno.",
@@ -214,8 +232,60 @@ export const classroom: Words["classroom"] = {
       show: "Mostrar no projetor",
       showOf: nickname => `Mostrar no projetor: ${nickname}`,
     },
+    roster: {
+      title: "Alunos",
+      lock: "Trancar a porta",
+      unlock: "Abrir a porta",
+      locked: "A porta está trancada: ninguém novo entra.",
+      lockHint: "Ninguém novo entra; quem é da turma volta como sempre.",
+      print: "Imprimir cartões com as três palavras",
+      printSome: n => (n === 1 ? "Imprimir um cartão" : `Imprimir ${n} cartões`),
+      list: "Adicionar uma lista de nomes",
+      names: "Nomes, um por linha; de uma tabela, a primeira coluna",
+      tooMany: (most: number) => `No máximo ${most} nomes de uma vez.`,
+      file: "ou um arquivo com eles",
+      listHint: "Cada nome recebe na hora três palavras. Com o cartão, o aluno aperta “Já entrei antes”.",
+      add: n => (n === 0 ? "Adicionar" : n === 1 ? "Adicionar um nome" : `Adicionar ${n} nomes`),
+      added: n => (n === 1 ? "Um aluno foi adicionado." : `${n} alunos foram adicionados.`),
+      change: "Mudar",
+      changeOf: nickname => `Mudar o registro de ${nickname}`,
+      nameOf: nickname => `Novo nome para ${nickname}`,
+      rename: "Mudar o nome",
+      sameAs: "O mesmo aluno que",
+      sameAsOf: nickname => `${nickname} é o mesmo aluno que`,
+      merging: (nickname, into) =>
+        `${nickname} passa a ser parte de ${into}: ficam todos os programas, entregas e lições dos dois, e valem as palavras dos dois. De duas entregas para a mesma coisa conta a mais nova; a outra vira um programa. Não dá para desfazer.`,
+      merge: "Juntar",
+      remove: "Tirar da turma",
+      removeSome: n => (n === 1 ? "Tirar um aluno" : `Tirar ${n} alunos`),
+      removing: names =>
+        `${names}: os programas, as entregas e o avanço nas lições saem da turma com o nome. Por 30 dias você pode trazer tudo de volta aqui; depois é apagado.`,
+      removeThem: n => (n === 1 ? "Tirar este aluno" : `Tirar estes ${n} alunos`),
+      cancel: "Cancelar",
+      removed: "Fora da turma",
+      until: when => `até ${when}`,
+      restore: "Trazer de volta",
+      restoreOf: nickname => `Trazer ${nickname} de volta`,
+      refused: {
+        taken: "Outro aluno tem este nome.",
+        full: "A turma está cheia.",
+        "nickname-empty": "Um nome precisa de pelo menos uma letra ou um algarismo.",
+        "nickname-long": "Um nome tem no máximo 24 letras.",
+        "nickname-letters": "Este nome tem caracteres que não se veem ou não se leem.",
+      },
+      card: {
+        how: button => `Aperte “${button}”. Digite o código da turma e as suas três palavras.`,
+      },
+    },
+    lessons: {
+      title: "Lições",
+      caption: "Passos de cada lição que cada aluno fez. A cópia de segurança também tem esta tabela.",
+      steps: (done: number, of: number) => `${done} de ${of}`,
+    },
     check: {
       title: "Testar todos em salas",
+      lesson: "o que a lição verifica",
+      unmet: (checks: readonly string[]) => `Não passou: ${checks.join("; ")}.`,
       own: "a sala entregue, depois salas parecidas",
       roomOf: name => `a sala de “${name}”, depois salas parecidas`,
       seed: "Quais salas (outro número, outras salas)",
@@ -243,18 +313,19 @@ export const classroom: Words["classroom"] = {
         compile: "O programa não compila:",
         room: "A sala entregue não serve para este teste.",
         time: "O teste demorou demais.",
+        lesson: "Este programa não foi feito em nenhuma lição; escolha outra verificação para ele.",
         lost: "O teste deste programa foi interrompido. Teste de novo.",
       },
     },
     task: {
-      task: "Tarefa",
-      title: "Título de uma tarefa",
+      task: "Trabalho",
+      title: "Título de um trabalho",
       deadline: "Entregar até (pode ficar vazio)",
-      open: "Abrir a tarefa",
+      open: "Abrir o trabalho",
       noDeadline: "Sem prazo",
       until: when => `Até ${when}`,
       count: (handedIn, of) => `Entregas: ${handedIn} de ${of}.`,
-      end: "Encerrar a tarefa",
+      end: "Encerrar o trabalho",
       handIns: "Entregas",
       option: (title, opened) => `${title} (${opened})`,
       pupil: "Aluno",

@@ -65,6 +65,15 @@ export const lessons: Words["lessons"] = {
       (n ?? 0) === 0
         ? "Ele não andou para trás."
         : `A maior velocidade dele para trás em ${within(time)} foi ${measure(n)} metros por segundo.`,
+    "came-far": n => `Ele se afastou ${measure(n)} m do começo.`,
+    "not-back": n => `No fim ele estava a ${measure(n)} m do começo.`,
+    "ends-far": n => `No fim ele estava a ${measure(n)} m de lá.`,
+    "not-faster": (_n, time, name) => `\`${name}\` aconteceu${seconds(time)}, e ele não ficou mais rápido.`,
+    varied: n => `Valores diferentes enviados: ${n ?? 0}.`,
+    "not-again": (n, _t, name) =>
+      `\`${name}\` aconteceu (vezes: ${n ?? 0}), e nunca mais foi como no começo.`,
+    miscounted: (n, time, name) => `Ele disse ${name}${seconds(time)}, e era o número ${n ?? 0}.`,
+    "not-measured": n => `Ele andou ${Math.round(n ?? 0)} cm, e nenhum número assim foi dito.`,
     "goes-on": (_n, time) => `O programa ainda não tinha terminado${seconds(time)}.`,
     "not-said": (_n, _t, name) => `“${name}” não foi dito.`,
     "not-sent": (_n, _t, name) => `\`${name}\` não foi enviado.`,

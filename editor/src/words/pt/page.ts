@@ -141,11 +141,8 @@ export const page: Omit<
     "Control character": "Caractere invisível",
   },
   showIt: "Mostrar",
-  waysOut: {
-    memory: () => "Lembrar com Memory",
-    either: () => "Uma só função com Either",
-    mux: ({loser}) => `Dar a vez a ${loser} por um segundo (mux)`,
-  },
+  nothingRuns: name => `Nada roda ainda. Rodar \`${name}\`?`,
+  runIt: name => `Rodar ${name}`,
   readMore: "Ler mais",
   fromToolbox: "Da caixa de ferramentas",
   writeType: signature => `Escrever o tipo: ${signature}`,
@@ -162,6 +159,12 @@ export const page: Omit<
     title: "Compartilhar",
     lead: "O link contém o programa inteiro e a sala dele. Nada é enviado para a internet.",
     making: "Preparando o link…",
+    reach: {
+      network:
+        "O endereço desta página leva só a este computador. O link tem em vez disso o endereço dele na rede: outras pessoas podem abri-lo enquanto o Rosy roda aqui.",
+      computer:
+        "Este link leva só a este computador. Para outras pessoas salve o programa como arquivo, ou inicie o Rosy com `--host 0.0.0.0` e compartilhe de novo.",
+    },
     link: "Link",
     copy: "Copiar",
     copied: "Copiado.",
@@ -170,8 +173,26 @@ export const page: Omit<
     codeHint: "O QR code contém o programa e a sala dele, mas não os lugares dos blocos.",
     noCode: "Este programa é comprido demais para um QR code. No link ele cabe.",
     embed: "Para pôr em uma página sua",
+    page: "Salvar uma página que funciona em qualquer lugar",
+    pageHint:
+      "Um só arquivo com os blocos, o Haskell e o filme da última execução. Ele abre sem o Rosy, de um disco ou de um site.",
+    pageWithoutFilm:
+      "Um só arquivo com os blocos e o Haskell. Execute primeiro o programa, e ele terá também o filme da execução.",
     print: "Imprimir blocos e Haskell",
     openInRosy: "Abrir no Rosy",
+  },
+  sharedPage: {
+    film: "A última execução",
+    noFilm: "O programa ainda não tinha sido executado quando esta página foi feita.",
+    olderFilm: "O filme mostra o programa antes das últimas mudanças.",
+    play: "Reproduzir",
+    reach: {
+      network:
+        "O link funciona para outras pessoas na mesma rede, enquanto o Rosy estiver em execução no computador onde esta página foi feita.",
+      computer:
+        "O link só funciona no computador onde esta página foi feita, enquanto o Rosy estiver em execução nele.",
+    },
+    made: version => `Feito com Rosy ${version}`,
   },
   driveByHand: "Dirigir à mão (ROS)",
   help: {
@@ -184,7 +205,7 @@ export const page: Omit<
     isEnglish: "Esta página do guia existe só em inglês.",
     more: "Ler mais no guia",
   },
-  about: "Sobre o Rosy: licenças",
+  about: version => `Sobre o Rosy ${version}: licenças`,
   language: "Idioma",
   theme: "Cores",
   themes: {auto: "Como no sistema", light: "Claro", dark: "Escuro"},
@@ -266,6 +287,10 @@ export const page: Omit<
     simulatedHint: "Ele vive na sala desta página, e nada pode quebrar.",
     free: "livre",
     has: who => `${who} está com ele`,
+    domain: domain => `domínio ${domain} do ROS 2`,
+    charge: percent => `bateria ${percent}%`,
+    volts: volts => `bateria ${short(volts, 1)} V`,
+    discovers: "Um robô no ROS 2 que é ligado nesta rede aparece aqui sozinho.",
     yours: "você está com ele",
     who: "O seu nome, para os outros verem",
     locked: "Os robôs estão bloqueados. A pessoa que iniciou o Rosy pode dizer o código a você.",
@@ -345,6 +370,38 @@ export const page: Omit<
       message: name => `${name} não contém texto.`,
       hint: "Rosy abre programas: arquivos que terminam em .rosy ou .hs.",
     },
+    olderEncoding: {
+      message: ({name, encoding, number, line}) =>
+        `${name} está na codificação ${encoding}, não em UTF-8: veja a linha ${number}, “${line.trim()}”.`,
+      hint: "Se a linha estiver certa, leia o arquivo assim. O Rosy o salva em UTF-8.",
+      readAs: encoding => `Ler como ${encoding}`,
+    },
+    emptyFile: {
+      message: name => `${name} está vazio.`,
+      hint: "Não há nele nenhum programa para abrir.",
+    },
+    confusable: {
+      message: (name, n, {character, plain, name: called}) =>
+        `${name}: ${count(n, {one: "um caractere parece certo e não é", other: k => `${k} caracteres parecem certos e não são. O primeiro`})}: ${plain.trim() === "" ? `um que não se vê (${called})` : `‘${character}’ (${called}) no lugar de ‘${plain}’`}.`,
+      hint: "Comentários e textos entre aspas ficam como estão.",
+      repair: "Consertar",
+    },
+    severalPrograms: {
+      message: (name, n) => `${name} tem ${n} programas.`,
+      hint: unread =>
+        unread === 0
+          ? "Escolha um."
+          : `Escolha um. ${count(unread, {one: "Mais um não pôde ser lido", other: n => `Mais ${n} não puderam ser lidos`})}.`,
+    },
+    noPrograms: name => `Não há programas em ${name}.`,
+    tooManyFiles: {
+      message: name => `${name} tem coisas demais.`,
+      hint: "O Rosy olha no máximo 2.000 arquivos e 20 milhões de letras. Solte aqui a pasta em que está o seu programa.",
+    },
+    damagedArchive: {
+      message: name => `${name} não pode ser descompactado.`,
+      hint: "Está danificado ou tem senha. Descompacte-o no seu computador e solte aqui a pasta.",
+    },
     notProgram: name => `${name} não é um programa.`,
     tooLarge: {
       message: name => `${name} é grande demais.`,
@@ -371,10 +428,19 @@ export const page: Omit<
         }),
       hint: "Ainda não está tudo pronto, ou algo se perderia ao arrumar.",
     },
+    otherMeaning: {
+      message: name =>
+        `O texto Haskell de ${name} não consegue dizer exatamente esta mudança nos blocos. A mudança não foi feita.`,
+      hint: "Faça a mudança no texto Haskell ou monte este lugar de outro jeito.",
+    },
     unfinishedText: {
       message: name =>
         `Ainda não está completo no texto Haskell: ${name}. Esta mudança nos blocos não foi feita.`,
       hint: "Termine a linha no texto ou aperte Desfazer e depois mude os blocos. Os blocos que o texto já diz podem ser mudados.",
+    },
+    progressNotSaved: {
+      message: "Este navegador não tem espaço para guardar o que você já fez na lição.",
+      hint: "Apague programas em Meus programas e depois faça o próximo passo. Seu programa não é afetado.",
     },
     notSaved: {
       message: "Este navegador não tem espaço para guardar o seu programa.",

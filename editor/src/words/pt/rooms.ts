@@ -97,6 +97,7 @@ export const world: Words["world"] = {
   start: "Começo do robô",
   wall: n => `Parede ${n}`,
   box: (n, movable) => `${movable ? "Caixa" : "Bloco"} ${n}`,
+  unknown: n => `Área desconhecida ${n}`,
   round: (n, movable) => `${movable ? "Tambor" : "Poste"} ${n}`,
   goals: {
     reach: "Venha até o lugar",

@@ -45,6 +45,7 @@ export const why: typeof english = {
     "first-value": "%{type} era %{value}, o seu primeiro valor: nenhuma função tinha escrito nele.",
     "old-value": "%{type} era %{value} havia muito tempo.",
     "not-written": "Nenhuma função tinha escrito em %{type}: ele tem o seu primeiro valor.",
+    "from-start": "%{type} era %{value} desde o começo: o que foi lembrado desde então era o mesmo.",
     remembered: "%{type} era %{value} desde os %{since}: %{other} lembrou esse valor.",
     "had-come": "%{value} tinha chegado aos %{since}.",
     "ran-message": "%{function} foi executada aos %{time} porque %{happened}.",

@@ -2,10 +2,10 @@
 ///
 /// A second picture, without the movement, shows the end of the run. Pure: the same recording is the same text.
 
-import type {Palette} from "../../../src/room/palette.ts"
-import {drawRobot} from "../../../src/room/robot_drawing.ts"
-import {drawWorld} from "../../../src/room/world_drawing.ts"
-import type {Channels} from "../../../src/state/channels.ts"
+import type {Channels} from "../../../src/state/runs/channels.ts"
+import type {Palette} from "../../../src/views/room/palette.ts"
+import {drawRobot} from "../../../src/views/room/robot_drawing.ts"
+import {drawWorld} from "../../../src/views/room/world_drawing.ts"
 import type {Recording, TimedPose} from "./recording.ts"
 import {drawnSvg, svgNumber} from "./svg_context.ts"
 

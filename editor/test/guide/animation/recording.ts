@@ -1,6 +1,6 @@
 /// Recording of a run for an animation of the guide: `docs/recordings/<name>.json`, which `sim-service/tests/system/test_guide_recordings.py` writes.
 
-import type {Channels} from "../../../src/state/channels.ts"
+import type {Channels} from "../../../src/state/runs/channels.ts"
 import type {Pose, World} from "../../../src/worlds/world.ts"
 import {readWorld} from "../../../src/worlds/world_decoder.ts"
 

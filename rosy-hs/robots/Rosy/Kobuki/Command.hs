@@ -8,7 +8,6 @@ module Rosy.Kobuki.Command
   ( -- * Moving
     baseControl,
     wheelCommand,
-    withinWheels,
     wheelbase,
 
     -- * Lights and power
@@ -37,24 +36,11 @@ import Rosy.Robots.SerialCodec (singleByte, withOutput)
 wheelbase :: Double
 wheelbase = 0.23
 
--- | Identifier 1: a speed in m/s and a turn in rad/s, slowed down where a wheel could not follow.
+-- | Identifier 1: a speed in m/s and a turn in rad/s, within the limits of the wheels ("Rosy.Robots.Guard").
 baseControl :: Double -> Double -> ByteString
 baseControl v w = packet (B.pack [1, 4] <> u16 (fromIntegral speed) <> u16 (fromIntegral radius))
   where
-    (speed, radius) = uncurry wheelCommand (withinWheels v w)
-
--- | The fastest that a wheel turns, m/s: straight on it is the base's greatest speed (kobuki_documentation, doc/specifications.rst: 70 cm/s).
-maxWheelSpeed :: Double
-maxWheelSpeed = 0.7
-
--- | Speed and turn scaled together so that the outer wheel stays within 'maxWheelSpeed': the robot is slower on the same curve. If
--- only one of them were cut, the curve would be another.
-withinWheels :: Double -> Double -> (Double, Double)
-withinWheels v w
-  | outer > maxWheelSpeed = (v * maxWheelSpeed / outer, w * maxWheelSpeed / outer)
-  | otherwise = (v, w)
-  where
-    outer = abs v + abs w * wheelbase / 2
+    (speed, radius) = wheelCommand v w
 
 -- | The speed of the outer wheel in mm/s and the radius in mm, as the driver computes them (kobuki_driver,
 -- diff_drive.cpp: setVelocityCommands): radius 0 is straight on, 1 is on the spot.

@@ -27,7 +27,7 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
 import Control.Exception (throwIO)
-import Control.Monad (forM_, when)
+import Control.Monad (forM_, when, (>=>))
 import Data.IORef
 import Data.Maybe (isNothing)
 import qualified Data.Text as T
@@ -36,6 +36,7 @@ import Rosy.Channel (Message)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
 import Rosy.Robot
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.Wording (tellPerson)
@@ -65,7 +66,7 @@ haltRobot :: RunControl -> Connection -> IO ()
 haltRobot r connection = atomically (stateTVar (guarded r) haltWheels) >>= mapM_ (sendCommand connection)
 
 data Clock = Clock
-  { -- | seconds of a monotonic clock
+  { -- | seconds of a clock that runs while the computer sleeps
     now :: IO Double,
     -- | the time of day, seconds
     today :: IO Double,
@@ -84,7 +85,7 @@ withClock use = do
         threadDelay (max 0 (ceiling ((began + fromIntegral n / 10 - t) * 1e6)))
         atomically (writeTVar due True)
         beat (n + 1 :: Int)
-  withAsync (beat 1) (const (use (Clock getMonotonicTime secondsOfDay due)))
+  withAsync (beat 1) (const (use (Clock bootSeconds secondsOfDay due)))
 
 -- | The robot as a link. The number is how many seconds a lost robot is waited for before the run ends.
 realLink :: Clock -> Double -> RunControl -> Connection -> IO Link
@@ -112,21 +113,23 @@ realLink clock patience r connection = do
             complain (if isNothing lost then IsThere else IsBack)
             writeIORef lostSince Nothing
           Complained what -> complain (IsComplaining what)
+          Misunderstood what -> complain (IsUnreadable what)
           Received _ -> pure ()
         (messages, actions) <- guarding (onEvent h)
         messages <$ mapM_ (sendCommand connection) actions
-      drive t a = do
+      -- The time is read for each command: this process may be suspended between two of them.
+      drive a = do
         case a of
           SayCommand (Say s) -> putStrLn s
           _ -> pure ()
-        forM_ (resolveCommand connection a) $ \a' -> guarding (onCommand t a') >>= mapM_ (sendCommand connection)
+        forM_ (resolveCommand connection a) $ \a' -> now clock >>= \t -> guarding (onCommand t a') >>= mapM_ (sendCommand connection)
       untilHere = do
         found <- atomically $ do
           stop <- readTVar (stopWanted r)
           if stop then pure Nothing else Just <$> takeEvents connection
         forM_ found $ \hs -> do
           ms <- concat <$> mapM passes hs
-          modifyIORef' early (++ ms)
+          modifyIORef' early (++ withoutEvents ms)
           arrived <- isConnected <$> readTVarIO (guarded r)
           if arrived then pure () else untilHere
       following = do
@@ -164,13 +167,14 @@ realLink clock patience r connection = do
           Opening <$> randomIO <*> today clock,
         next = following,
         answer = \a -> do
-          t <- now clock
-          mapM_ (drive t) (answerActions a)
+          mapM_ drive (answerActions a)
           tick <- readIORef ticked
-          when tick (guarding (onTick t) >>= mapM_ (sendCommand connection)),
+          when tick $ do
+            t <- now clock
+            guarding (onTick t) >>= mapM_ (sendCommand connection)
+            guarding (noticeMotion t) >>= mapM_ (motionNotice connection >=> complain),
         end = \a _ -> do
-          t <- now clock
-          mapM_ (drive t) (answerActions a)
+          mapM_ drive (answerActions a)
           haltRobot r connection,
         atWork = const (pure ()),
         atRest = pure ()

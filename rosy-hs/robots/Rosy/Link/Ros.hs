@@ -22,12 +22,15 @@ import Data.Aeson.Encoding (encodingToLazyByteString)
 import Data.Foldable (toList)
 import Data.List.NonEmpty (NonEmpty (..))
 import qualified Data.Map.Strict as Map
-import Data.Maybe (isNothing)
+import Data.Maybe (fromMaybe, isNothing)
 import Data.Proxy (Proxy)
 import qualified Data.Set as Set
 import qualified Data.Text as T
+import Data.Time.Clock.POSIX (getPOSIXTime)
 import GHC.TypeLits (SomeSymbol (..), someSymbolVal)
+import Ros.Message (RosBinary (put))
 import qualified Ros.Net.Master as Master
+import Ros.Net.Tcpros (frame)
 import Ros.Node
 import Ros.Node.Core (master)
 import Ros.SlicedTimeout (timeoutInSlices)
@@ -38,17 +41,24 @@ import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot
 import Rosy.Robots.Connection
 import Rosy.Robots.DynamicMessage
+import Rosy.Robots.Guardian (guardingSocket)
+import Rosy.Robots.RosbridgeCodec (strangeVelocity, velocityAt, velocityRoute)
 import Rosy.Robots.Target (odometryTopic)
+import Rosy.Robots.UnreadableMessages (Unreadable (..))
 import Rosy.Sentence
 import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 
-withRos :: Settings -> Sentence -> [Route] -> (Connection -> IO a) -> IO a
-withRos settings name known use = withNodeIn settings "rosy" $ do
+-- | The truth says whether the master is asked for the type of the velocity topic.
+withRos :: Settings -> Sentence -> Bool -> [Route] -> (Connection -> IO a) -> IO a
+withRos settings name asksType plain use = withNodeIn settings "rosy" $ do
   hearing <- liftIO newEventQueue
+  known <- if asksType then namedRoutes hearing plain else pure plain
+  heard <- liftIO (newTVarIO False)
   count <- liftIO (newTVarIO (0 :: Int))
   present <- liftIO (newTVarIO False)
   let arrives listening o = do
         there <- readTVarIO present
+        atomically (writeTVar heard True)
         unless there listening
         atomically $ do
           wasPresent <- swapTVar present True
@@ -65,10 +75,10 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
         isTaken <- Set.member topic <$> readTVarIO taken
         when isTaken (atomically (enqueue hearing (Received (OpenMessage topic v))))
   forM_ (sensorTopics (described known)) $ \carried ->
-    unless (any isOdometry carried) (receive carried (atomically . enqueue hearing . Received) (ownToo carried))
+    unless (any isOdometry carried) (receive carried (atomically . enqueueUnreadable hearing) (atomically . enqueue hearing . Received) (ownToo carried))
   publishers <- Map.fromList <$> mapM (\r -> (,) (channelNumber (routeChannel r)) <$> sender r) (described (commandRoutes known))
   -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
-  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (arrives (run (awaitListeners listenerTimeout))) (ownToo carried)))
+  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (atomically . enqueueUnreadable hearing) (arrives (run (awaitListeners listenerTimeout))) (ownToo carried)))
   let ownTopic t
         | not (hasDefinition (topicType t)) = pure [trWith "There is no description of the message {message}, which {topic} has. Put its .msg file in a folder of ROSY_MSG_PATH." ["message" =: T.pack (topicType t), "topic" =: T.pack (topicName t)]]
         | topicUse t == Taken = do
@@ -90,7 +100,9 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
             sendCommand = \case
               OpenAction topic message -> readTVarIO sent >>= mapM_ ($ message) . Map.lookup topic
               Action c fields -> forM_ (Map.lookup (channelNumber c) publishers) ($ fields),
-            takeEvents = awaitEvents hearing
+            takeEvents = awaitEvents hearing,
+            unreadableMessages = unreadableSoFar hearing,
+            velocityTopic = pure (fmap (\r -> (routeTopic r, routeType r)) (routeFor known velocityChannel))
           }
       -- Only a connected robot can be lost.
       watch = do
@@ -99,13 +111,15 @@ withRos settings name known use = withNodeIn settings "rosy" $ do
         came <- timeoutInSlices silenceTimeout (atomically (readTVar count >>= check . (/= before)))
         when (isNothing came) . atomically $ do
           writeTVar present False
+          writeTVar heard False
           enqueue hearing (Disconnected (tr "nothing was heard of it for a second"))
         watch
   core <- askCore
   let -- Until the robot is there: what it waits for.
       reportMissing told = do
         threadDelay silenceTimeout
-        there <- readTVarIO present
+        -- Odometry may arrive while the listeners are waited for.
+        there <- readTVarIO heard
         answer <- if there then pure Nothing else Just <$> Master.hasParam (master core) "/run_id"
         let why = case answer of
               Nothing -> unknownReason
@@ -129,12 +143,25 @@ silenceTimeout = 1000000
 listenerTimeout :: Int
 listenerTimeout = 5000000
 
--- | Runs an action on every message of the channels of a topic, what does not fit left out, and another on the whole message.
-receive :: NonEmpty Route -> (Message -> IO ()) -> (Aeson.Value -> IO ()) -> Node ()
-receive carried@(r :| _) use whole = case someSymbolVal (T.unpack (routeType r)) of
+-- | The routes with the topic and the type of velocities that the master names; those of the robot's description where it knows none.
+namedRoutes :: EventQueue -> [Route] -> Node [Route]
+namedRoutes hearing plain = do
+  core <- askCore
+  types <- liftIO (Master.topicTypes (master core))
+  let asked = Map.fromList [(T.pack topic, Just (T.pack kind)) | Right found <- [types], (topic, kind) <- found]
+      named r
+        | routeChannel r /= velocityChannel = pure r
+        | otherwise = case velocityRoute asked r of
+          Left kind -> r <$ atomically (enqueue hearing (Misunderstood (strangeVelocity (routeTopic r) kind)))
+          Right found -> pure (fromMaybe r found)
+  liftIO (mapM named plain)
+
+-- | Runs an action on every message of the channels of a topic, another on what fits none of them, and a third on the whole message.
+receive :: NonEmpty Route -> (Unreadable -> IO ()) -> (Message -> IO ()) -> (Aeson.Value -> IO ()) -> Node ()
+receive carried@(r :| _) strange use whole = case someSymbolVal (T.unpack (routeType r)) of
   SomeSymbol (_ :: Proxy name) -> do
     arriving <- subscribe (T.unpack (routeTopic r)) :: Node (Ros.Topic IO (DynamicMessage name))
-    runHandler_ (\(DynamicMessage v) -> either (const (pure ())) (mapM_ use) (readMessages (toList carried) (routeTopic r) v) >> whole v) arriving
+    runHandler_ (\(DynamicMessage v) -> either (strange . Unreadable (routeTopic r) . T.pack) (mapM_ use) (readMessages (toList carried) (routeTopic r) v) >> whole v) arriving
 
 -- | Runs an action on every message of a topic of the program's own.
 receiveOwn :: Topic -> (Aeson.Value -> IO ()) -> Node ()
@@ -154,5 +181,11 @@ senderOwn t = case someSymbolVal (topicType t) of
 sender :: Route -> Node ([Field] -> IO ())
 sender r = case someSymbolVal (T.unpack (routeType r)) of
   SomeSymbol (_ :: Proxy name) -> do
-    publisher' <- publisherWith publisherOptions {latched = routeLatched r} (T.unpack (routeTopic r)) :: Node (Publisher (DynamicMessage name))
-    pure (mapM_ (publish publisher' . DynamicMessage) . Aeson.decode . encodingToLazyByteString . encode r)
+    let messageAt time = Aeson.decode . encodingToLazyByteString . velocityAt r time . encode r :: [Field] -> Maybe Aeson.Value
+        Action wheels atRest = VelocityCommand (Velocity 0 0)
+        -- Each base that listens to velocities has a guardian.
+        guarded socket = case messageAt 0 atRest of
+          Just stop | routeChannel r == wheels -> guardingSocket socket (frame (put (DynamicMessage stop :: DynamicMessage name)))
+          _ -> id
+    publisher' <- publisherWith publisherOptions {latched = routeLatched r, aroundSubscriber = guarded} (T.unpack (routeTopic r)) :: Node (Publisher (DynamicMessage name))
+    pure (\fields -> getPOSIXTime >>= \now -> mapM_ (publish publisher' . DynamicMessage) (messageAt (realToFrac now) fields))

@@ -31,7 +31,6 @@ import Data.IORef
 import Data.Maybe (isNothing)
 import qualified Data.Text as T
 import Foreign.Ptr (castPtr)
-import GHC.Clock (getMonotonicTime)
 import Ros.SlicedTimeout (timeoutInSlices)
 import Rosy.Channel (Action)
 import Rosy.Codec (commandRoutes, routeTopic)
@@ -41,6 +40,7 @@ import Rosy.Kobuki.Feedback
 import qualified Rosy.Kobuki.Frame as Frame
 import Rosy.Kobuki.Sensing
 import Rosy.Robot
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
 import Rosy.Robots.Guardian
@@ -76,9 +76,11 @@ withSerial device use = do
             connectionRoutes = pipeRoutes,
             registerTopics = \topics -> pure [trWith "A robot on a serial cable has no topic {topic}." ["topic" =: T.pack (topicName t)] | t <- topics, topicUse t == Taken || T.pack (topicName t) `notElem` map routeTopic (commandRoutes pipeRoutes)],
             sendCommand = \a -> do
-              t <- getMonotonicTime
+              t <- bootSeconds
               atomically (updateSetpoints setpoints t a),
-            takeEvents = awaitEvents hearing
+            takeEvents = awaitEvents hearing,
+            unreadableMessages = unreadableSoFar hearing,
+            velocityTopic = pure Nothing
           }
       flush = timeoutInSlices flushTimeout (atomically ((,) <$> readTVar (alive setpoints) <*> readTVar (written setpoints) >>= \(a, w) -> check (not a || w)))
   withAsync (keepOpen device setpoints hearing) (\_ -> use connection `finally` flush)
@@ -197,7 +199,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
         sendHeartbeat guardian >>= writeIORef guarded
       -- One write per packet, as the driver does.
       reply supported = do
-        t <- getMonotonicTime
+        t <- bootSeconds
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
         (bytes, before, o) <- atomically $ do

@@ -2,10 +2,10 @@
 
 -- |
 -- Module      : Rosy.Robots.ArmPrompt
--- Description : Question on the terminal whether a robot that was lost may drive again.
+-- Description : Question on the terminal whether a robot that stands may drive again.
 --
 -- In: the guard of a run, and lines on standard input. Out: sentences on standard error; Enter arms the guard. The question is only asked,
--- and standard input only read, when a lost robot is back. Without a keyboard the robot stands until the run ends.
+-- and standard input only read, when a robot that was lost is back, or this program was away ('longestAbsence'). Without a keyboard the robot stands until the run ends.
 module Rosy.Robots.ArmPrompt
   ( startArmPrompt,
   )
@@ -28,7 +28,7 @@ startArmPrompt name guarded = do
   _ <- installHandler sigTTIN Ignore Nothing
   void . forkIO . forever $ do
     atomically (readTVar guarded >>= \g -> check (isConnected g && not (isArmed g)))
-    tellPerson (trWith "{robot} was lost and stands. Press Enter here to let it drive again." ["robot" =@ name])
+    tellPerson (trWith "{robot} stands, because it or this program was away for too long. Press Enter here to let it drive again." ["robot" =@ name])
     -- Waits without blocking the process; getLine alone could not be interrupted.
     try (threadWaitRead stdInput >> getLine) >>= \case
       Right _ -> atomically (modifyTVar' guarded (\g -> if isConnected g then arm g else g))

@@ -11,11 +11,14 @@ module Rosy.Robots.Connection
   ( Connection (..),
     resolveCommand,
     RobotEvent (..),
+    withoutEvents,
     EventQueue,
     newEventQueue,
     enqueue,
     awaitEvents,
     availableEvents,
+    enqueueUnreadable,
+    unreadableSoFar,
 
     -- * Time
     secondsOfDay,
@@ -24,6 +27,9 @@ module Rosy.Robots.Connection
     Notice (..),
     unknownReason,
     explainNotice,
+    stillness,
+    motionNotice,
+    neverRan,
   )
 where
 
@@ -36,6 +42,8 @@ import Data.Time.Clock.POSIX (getPOSIXTime)
 import Rosy.Channel (Action, Channel (..), Kind (..), Message (..))
 import Rosy.Codec (Route, commandTopics, readAction)
 import Rosy.Core (Topic)
+import Rosy.Robot (pattern RobotStatusMessage)
+import Rosy.Robots.UnreadableMessages
 import Rosy.Sentence
 import Rosy.Topic (pattern OpenAction)
 
@@ -53,7 +61,11 @@ data Connection = Connection
     -- | Queues a command. Does not block and does not fail; a command that cannot be sent is dropped.
     sendCommand :: Action -> IO (),
     -- | All events since the last call; blocks until there is one.
-    takeEvents :: STM [RobotEvent]
+    takeEvents :: STM [RobotEvent],
+    -- | Of the robot's messages, those that could not be read.
+    unreadableMessages :: STM UnreadableCounts,
+    -- | The topic to which velocities are sent, and its type; none on a serial line.
+    velocityTopic :: STM (Maybe (Text.Text, Text.Text))
   }
 
 -- | A command as it is sent. One on a topic of the program's own is the robot's own command if the robot has that topic, so that
@@ -74,18 +86,34 @@ data RobotEvent
     Refused Sentence
   | -- | Its server says that something is wrong, in these words.
     Complained Sentence
+  | -- | A message of it cannot be read; the first of its topic.
+    Misunderstood Sentence
   deriving (Eq, Show)
 
--- | Events that were not taken yet, newest first.
-newtype EventQueue = EventQueue (TVar [RobotEvent])
+-- | The messages without those of events: what happened before a program started is not for it (rule R10).
+-- Whether the robot is on line stays, which every run begins with, in the simulator too.
+withoutEvents :: [Message] -> [Message]
+withoutEvents = filter $ \case
+  RobotStatusMessage _ -> True
+  Message c _ -> channelKind c /= EventChannel
+
+-- | Events that were not taken yet, newest first, and the messages that were none.
+data EventQueue = EventQueue (TVar [RobotEvent]) (TVar UnreadableCounts)
 
 newEventQueue :: IO EventQueue
-newEventQueue = EventQueue <$> newTVarIO []
+newEventQueue = EventQueue <$> newTVarIO [] <*> newTVarIO noneUnreadable
+
+-- | Counts a message that cannot be read; the first of its topic is an event.
+enqueueUnreadable :: EventQueue -> Unreadable -> STM ()
+enqueueUnreadable h@(EventQueue _ counts) u = stateTVar counts (countUnreadable u) >>= mapM_ (enqueue h . Misunderstood)
+
+unreadableSoFar :: EventQueue -> STM UnreadableCounts
+unreadableSoFar (EventQueue _ counts) = readTVar counts
 
 -- | Adds an event. When the queue is long, only the newest value of each state channel is kept, so that a slow program gets
 -- current values. Readings of event channels are never dropped.
 enqueue :: EventQueue -> RobotEvent -> STM ()
-enqueue (EventQueue var) h = do
+enqueue (EventQueue var _) h = do
   waiting <- readTVar var
   writeTVar var $! case h of
     Received (Message c _) | isState c && length waiting > maxQueuedStates -> h : thinned waiting
@@ -109,7 +137,7 @@ awaitEvents h = do
 
 -- | All queued events; empty when there is none.
 availableEvents :: EventQueue -> STM [RobotEvent]
-availableEvents (EventQueue var) = do
+availableEvents (EventQueue var _) = do
   hs <- readTVar var
   unless (null hs) (writeTVar var [])
   pure (reverse hs)
@@ -122,6 +150,11 @@ data Notice
   | IsBack
   | IsRefused Sentence
   | IsComplaining Sentence
+  | IsUnreadable Sentence
+  | -- | It is told to drive and does not move; topic and type of its velocities.
+    IsStill (Maybe (Text.Text, Text.Text))
+  | -- | It moves again.
+    IsMoving
   deriving (Eq, Show)
 
 -- | No reason is known.
@@ -140,4 +173,21 @@ explainNotice name n = case n of
     | otherwise -> trWith "{robot} is lost: {why}" ["robot" =@ name, "why" =@ why]
   IsBack -> trWith "{robot} is back" ["robot" =@ name]
   IsRefused why -> trWith "{robot} cannot be driven: {why}" ["robot" =@ name, "why" =@ why]
+  IsUnreadable what -> trWith "{robot}: {what}" ["robot" =@ name, "what" =@ what]
   IsComplaining what -> trWith "{robot}: its server says: {what}" ["robot" =@ name, "what" =@ what]
+  IsStill topic -> trWith "{robot}: {what}" ["robot" =@ name, "what" =@ stillness topic]
+  IsMoving -> trWith "{robot} moves" ["robot" =@ name]
+
+-- | What a robot does that is told to drive and does not move, and the likely causes.
+stillness :: Maybe (Text.Text, Text.Text) -> Sentence
+stillness topic = case topic of
+  Nothing -> tr "it has been told to drive for a second and does not move. Is something holding it, or are its motors off?"
+  Just (name, kind) -> trWith "it has been told to drive for a second and does not move. Is something holding it, are its motors off or its emergency stop pressed, does another program drive it, or does it not listen to {type} on {topic}?" ["type" =: kind, "topic" =: name]
+
+-- | Why a run did nothing.
+neverRan :: Sentence
+neverRan = tr "The program never ran, because the robot was not there."
+
+-- | Tells of a robot that begins or ceases to stand although it is told to drive.
+motionNotice :: Connection -> Bool -> IO Notice
+motionNotice connection moves = if moves then pure IsMoving else IsStill <$> atomically (velocityTopic connection)

@@ -21,23 +21,27 @@ import Data.Aeson (Value (..))
 import qualified Data.Aeson.Key as Key
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Binary.Get (Get)
+import qualified Data.ByteString as B
 import Data.ByteString.Builder (Builder)
 import Data.Either (fromRight)
 import Data.Int (Int16, Int32, Int64, Int8)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe, isJust)
 import Data.Proxy (Proxy (..))
-import Data.Scientific (fromFloatDigits, toBoundedInteger, toRealFloat)
+import Data.Scientific (toBoundedInteger)
 import qualified Data.Text as T
 import qualified Data.Vector as V
 import Data.Word (Word16, Word32, Word64, Word8)
+import GHC.Float (double2Float, float2Double)
 import GHC.TypeLits (KnownSymbol, Symbol, symbolVal)
 import Ros.Gen.Md5
 import Ros.Gen.Msg
 import Ros.Message (Default (..), Message (..), ROSDuration (..), ROSTime (..), RosBinary (..))
+import Rosy.JsonNumber (doubleIn, doubleValue)
 import Rosy.Profile (robotMessages)
 import Rosy.Robot.Known (robots)
 import Rosy.Robots.StandardMessages (standardMessages)
+import Rosy.Robots.TextFile (decodeText)
 import System.Directory (listDirectory)
 import System.Environment (lookupEnv)
 import System.FilePath (splitSearchPath, takeBaseName, takeExtension, (</>))
@@ -77,11 +81,11 @@ ownMessages = unsafePerformIO $ do
     inFolder folder = namesIn folder >>= fmap concat . mapM (\package' -> (++) <$> ofPackage package' (folder </> package') <*> ofPackage package' (folder </> package' </> "msg"))
     ofPackage package' folder = do
       names <- namesIn folder
-      concat <$> sequence [either (const []) (\text -> [(package', takeBaseName name, text)]) <$> contentOf (folder </> name) | name <- names, takeExtension name == ".msg"]
+      concat <$> sequence [maybe [] (\text -> [(package', takeBaseName name, text)]) <$> contentOf (folder </> name) | name <- names, takeExtension name == ".msg"]
     namesIn :: FilePath -> IO [FilePath]
     namesIn folder = either (const [] :: IOException -> [FilePath]) id <$> try (listDirectory folder)
-    contentOf :: FilePath -> IO (Either IOException String)
-    contentOf file = try (readFile file >>= \text -> length text `seq` pure text)
+    contentOf :: FilePath -> IO (Maybe String)
+    contentOf file = either (const Nothing :: IOException -> Maybe String) (fmap T.unpack . decodeText) <$> try (B.readFile file)
 {-# NOINLINE ownMessages #-}
 
 -- | A package with another name may have the same messages.
@@ -124,8 +128,8 @@ getBuiltin b = case b of
   TUInt32 -> whole (get :: Get Word32)
   TInt64 -> whole (get :: Get Int64)
   TUInt64 -> whole (get :: Get Word64)
-  TFloat32 -> (\x -> decimal (realToFrac (x :: Float))) <$> get
-  TFloat64 -> decimal <$> get
+  TFloat32 -> doubleValue . float2Double <$> get
+  TFloat64 -> doubleValue <$> get
   TString -> String . T.pack <$> get
   TTime -> (\(ROSTime s n) -> moment (fromIntegral s) (fromIntegral n)) <$> get
   TDuration -> (\(ROSDuration s n) -> moment (fromIntegral s) (fromIntegral n)) <$> get
@@ -134,9 +138,6 @@ getBuiltin b = case b of
   where
     whole :: Integral n => Get n -> Get Value
     whole = fmap (Number . fromIntegral)
-    -- JSON has no word for what is no number.
-    decimal :: Double -> Value
-    decimal x = if isNaN x || isInfinite x then Null else Number (fromFloatDigits x)
     moment s n = Object (KeyMap.fromList [("secs", Number s), ("nsecs", Number n)])
 
 putMsg :: Msg -> Value -> Builder
@@ -169,7 +170,7 @@ putBuiltin b v = case b of
   TUInt32 -> put (whole :: Word32)
   TInt64 -> put (whole :: Int64)
   TUInt64 -> put (whole :: Word64)
-  TFloat32 -> put (realToFrac decimal :: Float)
+  TFloat32 -> put (double2Float decimal)
   TFloat64 -> put decimal
   TString -> put (case v of String s -> T.unpack s; _ -> "")
   TTime -> put (ROSTime 0 0)
@@ -181,6 +182,4 @@ putBuiltin b v = case b of
     whole = case v of
       Number n -> fromMaybe 0 (toBoundedInteger n)
       _ -> 0
-    decimal = case v of
-      Number n -> toRealFloat n
-      _ -> 0 :: Double
+    decimal = fromMaybe 0 (doubleIn v)

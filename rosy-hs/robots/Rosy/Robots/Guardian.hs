@@ -1,8 +1,10 @@
+{-# LANGUAGE OverloadedStrings #-}
+
 -- |
 -- Module      : Rosy.Robots.Guardian
--- Description : Guardian process of a serial line.
+-- Description : Guardian process of a connection to a base.
 --
--- In: an open line, the bytes of a stop, and heartbeats. Out: a stop on the line after 'heartbeatTimeout' without a heartbeat, which
+-- In: an open serial line or socket, the bytes of a stop, and heartbeats. Out: a stop on the line after 'heartbeatTimeout' without a heartbeat, which
 -- is repeated until the next one, and a stop when this process has ended. So a process that is killed or suspended
 -- (SIGKILL, SIGSTOP) leaves no base driving. The process itself is C (@cbits/rosy_guardian.c@), because it is forked from a process
 -- with threads.
@@ -10,11 +12,15 @@ module Rosy.Robots.Guardian
   ( Guardian,
     withGuardian,
     sendHeartbeat,
+    guardingSocket,
     heartbeatTimeout,
   )
 where
 
+import Control.Concurrent (threadDelay)
+import Control.Concurrent.Async (race)
 import Control.Exception (bracket)
+import Control.Monad (unless)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Unsafe as B
 import Data.Word (Word8)
@@ -23,6 +29,8 @@ import Foreign.C.Types (CInt (..))
 import Foreign.Marshal.Alloc (alloca)
 import Foreign.Ptr (Ptr, castPtr)
 import Foreign.Storable (peek)
+import Network.Socket (Socket, unsafeFdSocket)
+import Rosy.Sentence
 import System.Posix.Types (Fd (..))
 
 -- | Its process number, and the descriptor that takes heartbeats.
@@ -32,7 +40,7 @@ data Guardian = Guardian CInt CInt
 heartbeatTimeout :: Int
 heartbeatTimeout = 600
 
--- | A guardian of this line, which sends these bytes; it sends them too when the action is over. Heartbeats are expected at once.
+-- | A guardian of this line, which sends these bytes; on a serial line it sends them too when the action is over. Heartbeats are expected at once.
 withGuardian :: Fd -> ByteString -> (Guardian -> IO a) -> IO a
 withGuardian (Fd line) stop = bracket start end
   where
@@ -44,6 +52,22 @@ withGuardian (Fd line) stop = bracket start end
 -- | Whether the guardian is still there to receive it.
 sendHeartbeat :: Guardian -> IO Bool
 sendHeartbeat (Guardian _ heartbeat) = (== 0) <$> c_beat heartbeat
+
+-- | An action with a guardian of its socket, which has a heartbeat from here. An error when the guardian ends before the action: nothing drives without one.
+guardingSocket :: Socket -> ByteString -> IO a -> IO a
+guardingSocket socket stop act = do
+  fd <- unsafeFdSocket socket
+  withGuardian (Fd fd) stop $ \guardian -> either id id <$> race act (beats guardian)
+  where
+    beats guardian = do
+      isThere <- sendHeartbeat guardian
+      unless isThere (ioError (userError (portable (tr "its guardian process has ended"))))
+      threadDelay heartbeatPause
+      beats guardian
+
+-- | Microseconds between two heartbeats of a socket's guardian.
+heartbeatPause :: Int
+heartbeatPause = 50000
 
 foreign import ccall safe "rosy_guardian_start" c_start :: CInt -> Ptr Word8 -> CInt -> CInt -> Ptr CInt -> IO CInt
 

@@ -24,7 +24,7 @@ where
 import Control.Concurrent (threadDelay, threadWaitRead)
 import Control.Concurrent.STM
 import Control.Exception (IOException, try)
-import Control.Monad (forM_, unless, when)
+import Control.Monad (forM_, unless, when, (>=>))
 import Data.Aeson (Value)
 import qualified Data.ByteString as B
 import qualified Data.ByteString.Builder as Builder
@@ -33,7 +33,6 @@ import qualified Data.ByteString.Lazy as L
 import Data.IORef
 import Data.Maybe (isJust, isNothing)
 import qualified Data.Text as T
-import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, withFdSocket)
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
@@ -42,6 +41,7 @@ import Rosy.Channel (Action, Message)
 import Rosy.Codec (routeTopic)
 import Rosy.Core (topicName)
 import Rosy.Robot
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.LinkRecorder (LineSource (..))
@@ -106,13 +106,15 @@ data RunEnd
     RobotLost Sentence
   | -- | the robot can never be driven, for this reason
     RobotRefused Sentence
+  | -- | it was stopped, or its time was over, before the robot was there
+    NeverRan
   deriving (Eq, Show)
 
 -- | Sources of randomness and time of a run.
 data Pace = Pace
   { -- | the random seed of this run
     newSeed :: IO Int,
-    -- | seconds of a monotonic clock
+    -- | seconds of a clock that runs while the computer sleeps
     timeNow :: IO Double,
     -- | the time of day, seconds
     timeOfDay :: IO Double,
@@ -125,15 +127,16 @@ data Pace = Pace
 -- | Fifty steps a second from now on, with this step timeout. One that came late is not caught up with.
 realPace :: Double -> IO Pace
 realPace timeout = do
-  due <- getMonotonicTime >>= newIORef
+  due <- bootSeconds >>= newIORef
   pure
     Pace
       { newSeed = randomRIO (0, 2 ^ (31 :: Int) - 1),
-        timeNow = getMonotonicTime,
+        timeNow = bootSeconds,
         timeOfDay = secondsOfDay,
         awaitStep = do
-          t <- getMonotonicTime
-          begins <- max (t - stepLength) <$> readIORef due
+          t <- bootSeconds
+          -- After a pause, as before the first step, the next one is a whole step away.
+          begins <- (\d -> if t - d > stepLength then t else d) <$> readIORef due
           when (begins > t) (threadDelay (ceiling ((begins - t) * 1e6)))
           writeIORef due (begins + stepLength),
         stepTimeout = timeout
@@ -152,9 +155,12 @@ stepLength = 0.02
 tickSteps :: Int
 tickSteps = 5
 
--- | Runs until the program ends or is stopped. The number is how many seconds a lost robot is waited for.
-runLockstep :: Pace -> Observer -> STM Bool -> Double -> TVar Guard -> Connection -> Socket -> IO LockstepResult
-runLockstep pace observer stopWanted patience guarded connection socket = do
+-- | Runs until the program ends, is stopped, or has run for so many seconds of the robot. The second number is how many seconds a lost robot is
+-- waited for. A run of limited time also waits so long for its robot, or as long as the run if that is longer.
+runLockstep :: Pace -> Observer -> STM Bool -> Maybe Double -> Double -> TVar Guard -> Connection -> Socket -> IO LockstepResult
+runLockstep pace observer stopWanted seconds patience guarded connection socket = do
+  givesUp <- maybe (pure (pure False)) (\s -> readTVar <$> registerDelay (ceiling (max s patience * 1e6))) seconds
+  present <- newIORef False
   unread <- newIORef B.empty
   own <- newIORef []
   pose <- newIORef Nothing
@@ -230,6 +236,7 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
             onNotice observer (if null l then IsThere else IsBack)
             writeIORef lost Nothing
           Complained what -> onNotice observer (IsComplaining what)
+          Misunderstood what -> onNotice observer (IsUnreadable what)
           Received _ -> pure ()
         (ms, actions) <- guarding (onEvent h)
         mapM_ (sendCommand connection) actions
@@ -239,14 +246,14 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
           _ -> pure ()
         pure ms
       untilHere early = do
-        hs <- atomically ((Nothing <$ (stopWanted >>= check)) `orElse` (Just <$> takeEvents connection))
+        hs <- atomically ((Nothing <$ (((||) <$> stopWanted <*> givesUp) >>= check)) `orElse` (Just <$> takeEvents connection))
         case hs of
           Nothing -> pure early
           Just some -> do
             ms <- concat <$> mapM passes some
             there <- isConnected <$> readTVarIO guarded
             never <- readIORef refused
-            if there || isJust never then pure (early ++ ms) else untilHere (early ++ ms)
+            (if there || isJust never then pure else untilHere) (early ++ withoutEvents ms)
       steps n early = do
         awaitStep pace
         stop <- atomically stopWanted
@@ -254,8 +261,11 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
         never <- readIORef refused
         t <- now
         when (n == 0) (writeIORef beganAt t)
+        since' <- readIORef beganAt
+        came <- readIORef present
+        let isOver = maybe False (t - since' >=) seconds || not (came || isJust never)
         case l of
-          _ | stop -> ended n =<< (say stopLine >> listenToTheEnd)
+          _ | stop || isOver -> ended n =<< (say stopLine >> listenToTheEnd)
           _ | Just why <- never -> say stopLine >> ended n (RobotRefused why)
           Just (since, why) | t - since > patience -> say stopLine >> ended n (RobotLost why)
           _ -> do
@@ -268,16 +278,23 @@ runLockstep pace observer stopWanted patience guarded connection socket = do
             case outcome of
               Just e -> ended n e
               Nothing -> do
-                when (n `mod` tickSteps == 0) (now >>= \t' -> guarding (onTick t') >>= mapM_ (sendCommand connection))
+                when (n `mod` tickSteps == 0) $ do
+                  t' <- now
+                  guarding (onTick t') >>= mapM_ (sendCommand connection)
+                  guarding (noticeMotion t') >>= mapM_ (motionNotice connection >=> onNotice observer)
                 steps (n + 1) []
       listenToTheEnd = listen >>= maybe listenToTheEnd pure
       ended n e = do
         guarding haltWheels >>= mapM_ (sendCommand connection)
-        LockstepResult e n <$> readIORef pose
+        came <- readIORef present
+        LockstepResult (if came || e /= Stopped then e else NeverRan) n <$> readIORef pose
   -- A robot that is held already is here.
   there <- isConnected <$> readTVarIO guarded
   early <- if there then pure [] else onNotice observer (IsAwaited unknownReason) >> untilHere []
+  readTVarIO guarded >>= writeIORef present . isConnected
   seed <- newSeed pace
   timeOfDay pace >>= say . startLine seed
   opened <- listen
-  maybe (steps 0 early) (ended 0) opened
+  -- Until it was ready the program had not started.
+  meanwhile <- atomically (takeEvents connection `orElse` pure []) >>= fmap concat . mapM passes
+  maybe (steps 0 (early ++ withoutEvents meanwhile)) (ended 0) opened

@@ -34,9 +34,9 @@ import Data.Foldable (traverse_)
 import Data.Maybe (isJust, isNothing)
 import Data.Text (Text)
 import qualified Data.Text as T
-import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, close)
 import Rosy.Robot
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.LinkRecorder
@@ -44,6 +44,7 @@ import Rosy.Robots.LockstepRun
 import Rosy.Robots.PipeCodec (StepReport (..))
 import Rosy.Robots.Target (Profile (..), Target (..), targetGuard)
 import Rosy.Robots.Telemetry
+import Rosy.Robots.UnreadableMessages (unreadableSentences)
 import Rosy.Sentence
 
 data Request
@@ -55,8 +56,8 @@ data Request
   | EmergencyStop
   | -- | the emergency stop is over, and a robot that was lost may drive again
     Free
-  | -- | heartbeat: the owner's page is visible
-    Alive
+  | -- | heartbeat: the owner's page was visible at this time, seconds of 'bootSeconds'
+    Alive Double
   | -- | the safety rules are to be on, or off
     Safety Bool
   | -- | the firings of programs are to be told with their provenance, or not
@@ -71,11 +72,12 @@ readRequest bytes = case Aeson.decodeStrict' bytes of
   Just (Object o) -> case parseMaybe (.: "op") o of
     Just "safety" -> Safety <$> parseMaybe (.: "on") o
     Just "observe" -> Observe <$> parseMaybe (.: "on") o
+    Just "alive" -> Alive <$> parseMaybe (.: "time") o
     Just "record" -> Record <$> parseMaybe (.: "file") o
     op -> op >>= (`lookup` ops)
   _ -> Nothing
   where
-    ops = [("run" :: Text, Run), ("stop", Stop), ("estop", EmergencyStop), ("free", Free), ("alive", Alive)]
+    ops = [("run" :: Text, Run), ("stop", Stop), ("estop", EmergencyStop), ("free", Free)]
 
 -- | Queue of requests that are not handled yet.
 newtype Requests = Requests (TQueue Request)
@@ -89,13 +91,13 @@ request (Requests queue) = atomically . writeTQueue queue
 data RobotProcess = RobotProcess
   { guarded :: TVar Guard,
     robotState :: TVar RobotState,
-    -- | start of the process, then of each run; monotonic seconds
+    -- | start of the process, then of each run; seconds of 'bootSeconds'
     began :: TVar Double,
-    -- | start of the active emergency stop, monotonic seconds
+    -- | start of the active emergency stop, seconds of 'bootSeconds'
     stoppedAt :: TVar (Maybe Double),
     -- | whether the service was told that the wheels are held
     toldHeld :: TVar Bool,
-    -- | time of the latest heartbeat, monotonic seconds
+    -- | time of the latest heartbeat, seconds of 'bootSeconds'
     aliveAt :: TVar Double,
     -- | checks of the owner since the latest heartbeat
     silentChecks :: TVar Int,
@@ -141,7 +143,7 @@ defaultLimits = ProcessLimits defaultStepTimeout 3
 runRobotProcess :: ProcessLimits -> Target -> Recorder -> Connection -> Requests -> IO Socket -> (L.ByteString -> IO ()) -> IO ()
 runRobotProcess limits target recorder plain (Requests asked) nextProgram write = do
   let connection = recordedConnection recorder plain
-  t0 <- getMonotonicTime
+  t0 <- bootSeconds
   runs <- newTQueueIO
   h <-
     RobotProcess
@@ -173,7 +175,10 @@ runRobotProcess limits target recorder plain (Requests asked) nextProgram write 
           Free -> atomically (writeTVar (stoppedAt h) Nothing >> modifyTVar' (guarded h) arm) >> reportHeld h
           Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
           Observe on -> atomically (writeTVar (observed h) on)
-          Alive -> getMonotonicTime >>= atomically . recordHeartbeat h
+          Alive seen -> do
+            t <- bootSeconds
+            -- One that waited while this process or the service stood still counts for nothing.
+            when (seen <= t && t - seen < watchTimeout) (atomically (recordHeartbeat h seen))
           Leave -> pure ()
         unless (r == Leave) requests
       programs = do
@@ -199,16 +204,21 @@ sendSettings h target = do
 
 -- | The owner was there at this time.
 recordHeartbeat :: RobotProcess -> Double -> STM ()
-recordHeartbeat h t = writeTVar (aliveAt h) t >> writeTVar (silentChecks h) 0
+recordHeartbeat h t = modifyTVar' (aliveAt h) (max t) >> writeTVar (silentChecks h) 0
 
 elapsed :: RobotProcess -> IO Double
-elapsed h = (-) <$> getMonotonicTime <*> readTVarIO (began h)
+elapsed h = (-) <$> bootSeconds <*> readTVarIO (began h)
 
 -- | Tells the service about the connection; what the robot's server says goes where the program's texts go.
 sendNotice :: RobotProcess -> Notice -> IO ()
 sendNotice h n = case n of
-  IsComplaining _ -> elapsed h >>= \t -> sendLine h (saidLine t (T.unpack (english (explainNotice (tr "The robot") n))))
+  _ | saysText n -> elapsed h >>= \t -> sendLine h (saidLine t (T.unpack (english (explainNotice (tr "The robot") n))))
   _ -> sendLine h (linkLine n)
+  where
+    saysText what = case what of
+      IsComplaining _ -> True
+      IsUnreadable _ -> True
+      _ -> False
 
 -- | Handles an event of the robot while no program runs.
 passEvent :: RobotProcess -> Connection -> RobotEvent -> IO ()
@@ -219,6 +229,7 @@ passEvent h connection heard' = do
     Disconnected why -> sendLine h (linkLine ((if was then IsLost else IsAwaited) why))
     Refused why -> sendLine h (linkLine (IsRefused why))
     Complained what -> sendNotice h (IsComplaining what)
+    Misunderstood what -> sendNotice h (IsUnreadable what)
     Received _ -> pure ()
   actions <- atomically $ do
     (ms, actions) <- stateTVar (guarded h) (onEvent heard')
@@ -246,7 +257,7 @@ stopRun h = atomically (readTVar (requestedRuns h) >>= writeTVar (stoppedRuns h)
 
 emergencyStop :: RobotProcess -> Connection -> IO ()
 emergencyStop h connection = do
-  t <- getMonotonicTime
+  t <- bootSeconds
   atomically (writeTVar (stoppedAt h) (Just t))
   sendHalt h connection
   reportHeld h
@@ -255,7 +266,7 @@ emergencyStop h connection = do
 -- | The run of this number.
 runProgram :: Double -> Target -> Recorder -> Connection -> RobotProcess -> Int -> Socket -> IO ()
 runProgram stepLimit' target recorder connection h number socket = do
-  t <- getMonotonicTime
+  t <- bootSeconds
   mayBegin <- atomically $ do
     mayBegin <- (&&) <$> (isNothing <$> readTVar (stoppedAt h)) <*> (not <$> isStopped)
     when mayBegin $ do
@@ -269,10 +280,12 @@ runProgram stepLimit' target recorder connection h number socket = do
     then endRecording recorder >> sendLine h (endedLine 0 "stopped" Nothing)
     else do
       pace <- realPace stepLimit'
-      served <- runLockstep pace (observer h) {onLines = recordLines recorder} isStopped (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (isRunning h) False)
+      served <- runLockstep pace (observer h) {onLines = recordLines recorder} isStopped Nothing (targetPatience target) (guarded h) connection socket `finally` atomically (writeTVar (isRunning h) False)
       time <- elapsed h
       endRecording recorder
       sendFrame h
+      counts <- atomically (unreadableMessages connection)
+      forM_ (unreadableSentences counts) (sendLine h . saidLine time . T.unpack . english)
       sendLine h . uncurry (endedLine time) $ case runEnd served of
         Finished -> ("done", Nothing)
         Stopped -> ("stopped", Nothing)
@@ -282,6 +295,7 @@ runProgram stepLimit' target recorder connection h number socket = do
         Died -> ("died", Nothing)
         RobotLost _ -> ("lost", Nothing)
         RobotRefused _ -> ("lost", Nothing)
+        NeverRan -> ("stopped", Nothing)
   where
     isStopped = (number <=) <$> readTVar (stoppedRuns h)
 
@@ -323,12 +337,14 @@ sendFrame h = do
 superviseOwner :: Double -> RobotProcess -> Connection -> IO ()
 superviseOwner abandonLimit' h connection = forever $ do
   threadDelay (ceiling (checkInterval * 1e6))
-  t <- getMonotonicTime
+  t <- bootSeconds
   seen <- readTVarIO (aliveAt h)
   silent <- atomically (stateTVar (silentChecks h) (\n -> (n + 1, n + 1)))
   runs <- readTVarIO (isRunning h)
   when runs $ do
     atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
+    -- A page that was away for so long does not let the robot drive on by coming back.
+    when (t - seen > longestAbsence) (atomically (modifyTVar' (guarded h) disarm))
     when (fromIntegral silent * checkInterval > abandonLimit') (stopRun h >> sendHalt h connection)
   reportHeld h
   stopped <- readTVarIO (stoppedAt h)

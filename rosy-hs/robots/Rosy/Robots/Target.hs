@@ -4,9 +4,10 @@
 -- Module      : Rosy.Robots.Target
 -- Description : Which robot, how it is reached, and what its topics are called.
 --
--- In: @ws://HOST:9090@, @ros://HOST:11311@ or @serial:/dev/kobuki@, with options behind a question mark. Out: a
--- 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @stamped=on|off@, @max_speed@,
+-- In: @ws://HOST:9090@, @ros://HOST:11311@, @serial:/dev/kobuki@ or @ros2:DOMAIN\@HOST/NAMESPACE@, all of whose parts may be absent, with options
+-- behind a question mark. Out: a 'Target', or a sentence. Options: @robot@, @ros=1|2@, @prefix@, @odometry@, @velocity@, @messages@, @stamped=on|off@, @max_speed@,
 -- @max_turn@ (m/s, rad/s), @safety=on|off@, @rearm=on|off@, @patience@ (s) and @profile=FILE@, a JSON object with any of these.
+-- @bridge@ is not for people: the port of the process that speaks ROS 2.
 module Rosy.Robots.Target
   ( Target (..),
     Transport (..),
@@ -33,12 +34,15 @@ import Data.Either (fromRight)
 import Data.List (find, isPrefixOf, partition, stripPrefix)
 import Data.Maybe (fromMaybe, listToMaybe)
 import qualified Data.Text as T
+import Data.Text.Encoding (encodeUtf8)
 import Numeric (readHex)
 import Rosy.Codec
 import Rosy.Profile
-import Rosy.Robot (odometryChannel)
+import Rosy.Robot (odometryChannel, velocityChannel)
 import Rosy.Robot.Known (robots)
-import Rosy.Robots.Guard (Guard, Limits (..), newGuard, withoutRearming)
+import Rosy.Robots.Guard (Guard, Limits (..), Wheels (..), newGuard, withoutRearming)
+import Rosy.Robots.RosbridgeCodec (stampedRoute)
+import Rosy.Robots.TextFile (decodeText)
 import Rosy.Sentence
 import Text.Read (readMaybe)
 
@@ -53,7 +57,9 @@ data Target = Target
     -- | how long a lost robot is waited for, seconds
     targetPatience :: Double,
     -- | whether a robot that was lost stands until a person lets it drive again
-    targetRearm :: Bool
+    targetRearm :: Bool,
+    -- | whether the base takes velocities with a time (geometry_msgs/TwistStamped), if the address says so; otherwise it is asked
+    targetStamped :: Maybe Bool
   }
   deriving (Eq, Show)
 
@@ -64,6 +70,8 @@ data Transport
     Ros1 String Int
   | -- | a device
     Serial FilePath
+  | -- | a domain of ROS 2 as it was written, the namespace, and the port of the bridge to it on this computer
+    Ros2 String String (Maybe Int)
   deriving (Eq, Show)
 
 -- | A robot, with the variables of its topics and types.
@@ -83,8 +91,9 @@ instance Show Profile where
 
 -- | The channels of the robot with the names that they have there.
 targetRoutes :: Target -> [Route]
-targetRoutes t = [if isRos2 p then r {routeType = T.replace (T.pack "/") (kindOf r) (routeType r)} else r | r <- routes (profileRobot p) (profileVariables p)]
+targetRoutes t = [stamped (if isRos2 p then r {routeType = T.replace (T.pack "/") (kindOf r) (routeType r)} else r) | r <- routes (profileRobot p) (profileVariables p)]
   where
+    stamped r = if targetStamped t == Just True && routeChannel r == velocityChannel then stampedRoute r else r
     p = targetProfile t
     kindOf r = T.pack (if routeDelivery r == Called then "/srv/" else "/msg/")
 
@@ -97,7 +106,7 @@ odometryTopic :: [Route] -> String
 odometryTopic known = maybe "" (T.unpack . routeTopic) (routeFor known odometryChannel)
 
 data TargetError
-  = -- | Not one of the three.
+  = -- | Not one of the four.
     StrangeTarget String
   | -- | No robot has this name.
     UnknownRobot String
@@ -112,7 +121,7 @@ data TargetError
 
 explainTargetError :: TargetError -> Sentence
 explainTargetError e = case e of
-  StrangeTarget t -> trWith "\"{address}\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311 or serial:/dev/kobuki." ["address" =: T.pack t]
+  StrangeTarget t -> trWith "\"{address}\" is no robot. A robot is ws://HOST:9090, ros://HOST:11311, serial:/dev/kobuki or ros2:DOMAIN." ["address" =: T.pack t]
   UnknownRobot n -> trWith "There is no robot called \"{name}\". There are {robots}." ["name" =: T.pack n, "robots" =: T.pack (unwords (map robotName robots))]
   NoSuchWay name way -> trWith "A {name} cannot be reached over {way}. It is behind a rosbridge server: ws://HOST:9090?robot={name}." ["name" =: T.pack name, "way" =@ way]
   StrangeOption o -> trWith "A robot has no option \"{option}\". There are {options}." ["option" =: T.pack o, "options" =: T.unwords known]
@@ -128,20 +137,24 @@ profileFile = lookup "profile" . optionsOf
 readTarget :: String -> Either TargetError Target
 readTarget = withFile Nothing
 
--- | With the text of the profile that 'profileFile' names.
+-- | With the content of the profile that 'profileFile' names.
 withFile :: Maybe B.ByteString -> String -> Either TargetError Target
 withFile profile t = do
   way <- maybe (Left (StrangeTarget t)) Right (readWay (takeWhile (/= '?') t))
   let named = optionsOf t
-      first = named ++ maybe [] (fromRight [] . fromJson "") profile
+      first = named ++ maybe [] (fromRight [] . fromJson "") profile ++ ofWay way
       robot = lookup "robot" first
   chosen <- maybe (maybe (Left (UnknownRobot "")) Right (listToMaybe robots)) (\n -> maybe (Left (UnknownRobot n)) Right (find ((== n) . robotName) robots)) robot
   mapM_ (Left . NoSuchWay (robotName chosen)) (missingWay way chosen)
   fromProfile <- maybe (Right []) (fromJson (fromMaybe "" (lookup "profile" named))) profile
   let (speed, turn) = robotLimits chosen
-      begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn) True 10 True
-  foldM option begun (prefixFirst (fromProfile ++ filter ((/= "profile") . fst) named))
+      begun = Target t way (startProfile chosen (lookup "ros" first)) (Limits speed turn (uncurry Wheels <$> robotWheels chosen)) True 10 True Nothing
+  foldM option begun (prefixFirst (ofWay way ++ fromProfile ++ filter ((/= "profile") . fst) named))
   where
+    -- What an address says without options.
+    ofWay way = case way of
+      Ros2 _ namespace _ -> ("ros", "2") : [("prefix", namespace) | not (null namespace)]
+      _ -> []
     -- It moves the topics that are not named.
     prefixFirst = uncurry (++) . partition ((== "prefix") . fst)
     -- Which ROS it is decides where the other options start from, wherever it is written. Without it the robot's first one counts.
@@ -151,10 +164,11 @@ withFile profile t = do
     missingWay way chosen = case way of
       Ros1 _ _ | "ros1" `notElem` map fst (robotProfiles chosen) -> Just (verbatim "ROS 1")
       Serial _ | null (robotSerial chosen) -> Just (tr "a serial cable")
+      Ros2 {} | "ros2" `notElem` map fst (robotProfiles chosen) -> Just (verbatim "ROS 2")
       _ -> Nothing
 
 fromJson :: FilePath -> B.ByteString -> Either TargetError [(String, String)]
-fromJson file text = case Aeson.decodeStrict' text of
+fromJson file bytes = case decodeText bytes >>= Aeson.decodeStrict' . encodeUtf8 of
   Just (Object o) -> traverse plain (KeyMap.toList o)
   _ -> Left (StrangeProfile file)
   where
@@ -176,11 +190,9 @@ option t (k, v) = case k of
   "odometry" -> topic
   "velocity" -> topic
   "messages" -> if null v then bad else Right t {targetProfile = p {profileVariables = set k v (profileVariables p)}}
-  -- The base takes its velocities with a time (geometry_msgs/TwistStamped).
   "stamped"
-    | v == "off" -> Right t
-    | v == "on", Just _ <- lookup "velocityType" (profileVariables p) -> Right t {targetProfile = p {profileVariables = set "velocityType" "geometry_msgs/TwistStamped" (set "velocityIn" "twist" (profileVariables p))}}
-    | otherwise -> bad
+    | Serial _ <- targetTransport t -> bad
+    | otherwise -> switch (\yes -> t {targetStamped = Just yes})
   "max_speed" -> number (\x -> t {targetLimits = (targetLimits t) {maxSpeed = x}})
   "max_turn" -> number (\x -> t {targetLimits = (targetLimits t) {maxTurn = x}})
   "patience" -> number (\x -> t {targetPatience = x})
@@ -188,6 +200,7 @@ option t (k, v) = case k of
   "rearm" -> switch (\yes -> t {targetRearm = yes})
   -- Whether it carries a laser scanner that its description does not have: the service asks before it starts a program.
   "scanner" -> switch (const t)
+  "bridge" | Ros2 domain namespace _ <- targetTransport t -> maybe bad (\port -> Right t {targetTransport = Ros2 domain namespace (Just port)}) (readMaybe v)
   _ -> Left (StrangeOption k)
   where
     p = targetProfile t
@@ -207,8 +220,16 @@ readWay t
   | Just rest <- stripPrefix "ws://" t = hostPort 9090 rest >>= \(h, p, path) -> Just (Rosbridge h p (if null path then "/" else path))
   | Just rest <- stripPrefix "ros://" t = hostPort 11311 rest >>= \(h, p, path) -> if path `elem` ["", "/"] then Just (Ros1 h p) else Nothing
   | Just device@('/' : _) <- stripPrefix "serial:" t = Just (Serial device)
+  | Just rest <- stripPrefix "ros2:" t = ros2 rest
   | otherwise = Nothing
   where
+    -- The domains that fit into the ports of UDP (DDSI-RTPS 2.5, 9.6.2.3) are up to 232.
+    ros2 rest
+      | null domain || (all isDigit domain && length domain < 4 && read domain < (233 :: Int)), host /= "@", namespace /= "/" = Just (Ros2 (domain ++ host) namespace Nothing)
+      | otherwise = Nothing
+      where
+        (domain, more) = break (`elem` ("@/" :: String)) rest
+        (host, namespace) = break (== '/') more
     hostPort fallback rest = case break (`elem` (":/" :: String)) rest of
       ("", _) -> Nothing
       (h, ':' : more) -> case span isDigit more of

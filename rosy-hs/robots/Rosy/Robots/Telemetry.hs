@@ -37,7 +37,7 @@ import Data.Text (Text)
 import Rosy.Channel
 import Rosy.Profile
 import Rosy.Robot
-import Rosy.Robots.Connection (Notice (..), unknownReason)
+import Rosy.Robots.Connection (Notice (..), stillness, unknownReason)
 import Rosy.Sentence (Sentence, english, sentenceId)
 import Rosy.Topic (pattern OpenAction)
 
@@ -128,6 +128,9 @@ linkLine n = case n of
   IsRefused why -> link "lost" why
   -- Says nothing about the link but that it is there.
   IsComplaining _ -> link "connected" unknownReason
+  IsUnreadable _ -> link "connected" unknownReason
+  IsStill topic -> link "connected" (stillness topic)
+  IsMoving -> link "connected" unknownReason
   where
     link :: Text -> Sentence -> L.ByteString
     link state why = line (["op" .= ("link" :: Text), "link" .= state, "why" .= english why] ++ ["sentence" .= s | Just s <- [sentenceId why]])

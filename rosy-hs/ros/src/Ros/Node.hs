@@ -86,15 +86,16 @@ module Ros.Node
 where
 
 import Control.Concurrent (ThreadId)
-import Control.Concurrent.Async (asyncThreadId)
+import Control.Concurrent.Async (asyncThreadId, forConcurrently_, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (bracket, throwIO)
-import Control.Monad (join, void)
+import Control.Monad (join, void, when)
 import Control.Monad.IO.Class (MonadIO (..))
 import Control.Monad.Trans.Reader (ReaderT (..), ask, asks)
 import Data.Either (fromRight)
 import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
+import qualified Data.Set as Set
 import Data.Time.Clock.POSIX (getPOSIXTime)
 import Ros.Message (Message, ROSTime, fromSeconds)
 import Ros.Names (Name, Naming (..), plain, resolve)
@@ -114,6 +115,7 @@ import Ros.Topic (Topic)
 import qualified Ros.Topic as Topic
 import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Signals (Handler (..), installHandler, sigINT, sigTERM)
+import System.Timeout (timeout)
 
 -- | What a program does as a node.
 newtype Node a = Node (ReaderT Env IO a)
@@ -217,16 +219,27 @@ awaitSubscribers :: Publisher a -> Int -> Node ()
 awaitSubscribers p n = liftIO (atomically (subscriberCount p >>= check . (>= n)))
 
 -- | Waits until all whom the master knows to listen to this node's topics are connected, so that what is published next passes none
--- of them by; for so many microseconds at most, because some of them may be gone.
+-- of them by; for so many microseconds at most. Those that do not answer are not waited for: the master keeps nodes that were killed.
 awaitListeners :: Int -> Node ()
 awaitListeners limit = do
   core <- askCore
   known <- Map.fromList . fromRight [] <$> liftIO (Master.allSubscribers (master core))
   ours <- liftIO (readTVarIO (publications core))
-  let connected (nodes, p) = do
+  gone <- liftIO (newTVarIO Set.empty)
+  let listeners = Map.intersectionWith (,) known ours
+      connected (nodes, p) = do
         peers <- map outletPeer . Map.elems <$> readTVar (pubOutlets p)
-        check (all (`elem` peers) nodes)
-  liftIO (void (timeoutInSlices limit (atomically (mapM_ connected (Map.intersectionWith (,) known ours)))))
+        dead <- readTVar gone
+        check (all (\n -> n `elem` peers || Set.member n dead) nodes)
+      probe n = do
+        answers <- timeout answerTimeout (Master.nodeAnswers (master core) n)
+        when (answers /= Just True) (atomically (modifyTVar' gone (Set.insert n)))
+  liftIO . withAsync (forConcurrently_ (Set.fromList (concatMap fst (Map.elems listeners))) probe) $ \_ ->
+    void (timeoutInSlices limit (atomically (mapM_ connected listeners)))
+
+-- | Time for a node to answer whether it is there, microseconds: peers answer in a millisecond.
+answerTimeout :: Int
+answerTimeout = 1000000
 
 -- | Waits until so many publishers of the topic are connected.
 awaitPublishers :: TopicName -> Int -> Node ()

@@ -27,6 +27,7 @@ where
 import Data.Dynamic (Dynamic, dynTypeRep, fromDynamic, toDyn)
 import qualified Data.IntMap.Strict as IntMap
 import Data.List (partition)
+import Rosy.Arbitration (arbitrate, arbitrateProgram, forgetController, forgetSender, isUnheld, ownedBy)
 import Rosy.Channel (Channel (..))
 import Rosy.Core
 import Rosy.Loop.Fire
@@ -178,10 +179,13 @@ wrongEnd (Given name value) wanted =
   Step (\w _ -> abandon (EndedWrongly (nameText name) (show (dynTypeRep value)) wanted) w)
 
 forget :: ScopeId -> Step ()
-forget scope = change $ \w ->
-  if IntMap.member scope (envMemories (env w))
-    then w {env = (env w) {envMemories = IntMap.delete scope (envMemories (env w))}}
-    else w
+forget scope = change (withoutHolds . withoutMemory)
+  where
+    withoutMemory w =
+      if IntMap.member scope (envMemories (env w))
+        then w {env = (env w) {envMemories = IntMap.delete scope (envMemories (env w))}}
+        else w
+    withoutHolds w = if isUnheld (holds (tasks w)) then w else w {tasks = (tasks w) {holds = forgetController scope (holds (tasks w))}}
 
 -- | Stop all that is live in there, children first, each clean-up once.
 stopRunning :: Running r -> Step ()
@@ -208,9 +212,10 @@ stopRunning running = case running of
 
 -- | Tell the robot to stand if a function of this scope set it in motion last (rule R10).
 standStill :: ScopeId -> Step ()
-standStill scope = change $ \w -> case partition ((== scope) . snd) (moving (tasks w)) of
-  ([], _) -> w
-  (own, others) -> w {actions = [Action c rest | (c, _) <- own, Just rest <- [channelRest c]] ++ actions w, tasks = (tasks w) {moving = others}}
+standStill scope = change $ \w -> case (partition ((== scope) . snd) (moving (tasks w)), tasks w) of
+  (([], _), before) | isUnheld (holds before) -> w
+  (([], _), before) -> w {tasks = before {holds = forgetSender scope (holds before)}}
+  ((own, others), before) -> w {actions = [Action c rest | (c, _) <- own, Just rest <- [channelRest c]] ++ actions w, tasks = before {moving = others, holds = forgetSender scope (holds before)}}
 
 stopCalled :: Called -> Step ()
 stopCalled (Called running _ _ _) = stopRunning running
@@ -227,15 +232,17 @@ startCalls left scope = do
       concat <$> mapM (\calling -> turn cause >> start calling) (reverse calls)
   where
     -- What the caller's functions ended with is not for the called, and comes first.
-    start (Calling program canceller feedback response) = do
+    start (Calling arbiters program canceller feedback response) = do
       born <- world emitted
       outer <- takeFed
       ended <- takeEnding
-      running <- advance left program
-      called <- reports outer scope (Called running (fmap (liven born) canceller) feedback response)
+      running <- advance left (arbitrateProgram (map (ownedBy scope) arbiters) program)
+      called <- reports outer scope (Called running (fmap (liven born) canceller) (fmap arbitrated . feedback) (arbitrated . response))
       case ended of
         Nothing -> pure called
         Just _ -> called <$ changeTasks (\t -> t {ending = ended})
+      where
+        arbitrated function = if null arbiters then function else arbitrate arbiters function
 
 -- | Carry out what the caller does with feedback and with the end. Feedback that is not taken here goes further out.
 reports :: [Dynamic] -> ScopeId -> Called -> Step [Called]

@@ -9,6 +9,7 @@ module Rosy.Loop.Deliver
   )
 where
 
+import Rosy.Arbitration (rounding)
 import Rosy.Core
 import Rosy.Loop.Advance
 import Rosy.Loop.Fire
@@ -53,11 +54,6 @@ deliver occurrence running = case running of
       _ -> do
         y <- deliver occurrence b
         against stepLimit x y k
-
--- | Instants come at sums of steps of 20 ms, whose last digits are rounded: a moment is reached when it is this near, seconds.
--- Far below the shortest time between two messages, far above the rounding of the seconds since 1970.
-rounding :: Double
-rounding = 1e-6
 
 -- | An occurrence on its way through one task at work: its functions in order, then the tasks they called before, oldest first. The
 -- first 'Done' ends it.

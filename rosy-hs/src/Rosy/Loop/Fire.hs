@@ -3,11 +3,12 @@
 
 -- |
 -- Module      : Rosy.Loop.Fire
--- Description : One function: what makes it fire (rules R1 to R5), and what its firing does (rules R6, R7, R9, R11).
+-- Description : One function: what makes it fire (rules R1 to R5), and what its firing does (rules R6, R7, R9, R11, R25).
 module Rosy.Loop.Fire
   ( -- * Firing
     fire,
     atOnce,
+    send,
     abandon,
     cleanUp,
     reportOf,
@@ -25,6 +26,7 @@ import qualified Data.IntMap.Strict as IntMap
 import qualified Data.Map.Strict as Map
 import Data.Sequence (Seq (..), (|>))
 import Data.Typeable (TypeRep, typeRepFingerprint)
+import Rosy.Arbitration (isUnheld, pass, suppressing)
 import Rosy.Channel (Channel (..))
 import Rosy.Core
 import Rosy.Loop.State
@@ -42,7 +44,8 @@ fireThen cause scope name tell give (Reading _ used' look) w0 next
   where
     !w = if envScope (env w0) == scope then w0 else setScope scope w0
     here = env w
-    effects = case look here of (# inputs #) -> give inputs
+    effects = case look here of (# inputs #) -> if isUnheld held then give inputs else suppressing (envTime here) scope held (give inputs)
+    held = holds (tasks w)
     -- Inputs are recomputed when provenance or an error message needs them; storing them would allocate in every firing.
     !firing = Firing name scope cause (case look here of (# inputs #) -> tell inputs []) effects (cleanUp w)
 
@@ -52,15 +55,30 @@ carryOut scope name effects w next = case effects of
   Nothing' -> next w
   Then effect rest -> let !w' = w `after` effect in carryOut scope name rest w' next
   where
-    after v (Act action@(Action c fields)) = case channelRest c of
-      Just atRest | let moves = fields /= atRest, not (moves && isLatestMover c scope (moving (tasks v))) -> updateMoving moves c scope v {actions = action : actions v}
-      _ -> v {actions = action : actions v}
+    after v (Act action) = act scope action v
+    after v (Arbitrated arbiters action) = send scope arbiters action v
+    after v (Suppressed arbiters action) = send scope arbiters action v
     after v (Emit value text) = v {queue = Event (emitted v) value text : queue v, emitted = emitted v + 1, heard = text : heard v}
     after v (Remember key value) = v {env = setMemory scope key value (env v)}
     after v (Share key value) = v {env = setParam key value (env v)}
     after v (End value _) = v {tasks = setEnding (Given name value) (tasks v)}
     after v (Feed value _) = v {tasks = addFeedback value (tasks v)}
     after v (StartCall calling) = v {tasks = addCall calling (tasks v)}
+
+-- | Sends a command.
+act :: ScopeId -> Action -> World -> World
+act scope action@(Action c fields) w = case channelRest c of
+  Just atRest | let moves = fields /= atRest, not (moves && isLatestMover c scope (moving (tasks w))) -> updateMoving moves c scope w {actions = action : actions w}
+  _ -> w {actions = action : actions w}
+{-# INLINE act #-}
+
+-- | Sends a command if its arbiters let it pass.
+send :: ScopeId -> [Arbiter] -> Action -> World -> World
+send scope arbiters action w = if passes then act scope action kept else kept
+  where
+    (passes, !after) = pass (envTime (env w)) scope arbiters action (holds (tasks w))
+    kept = w {tasks = (tasks w) {holds = after}}
+{-# NOINLINE send #-}
 
 -- Updates that few firings make. They are not inlined: GHC 9.0 loads a record's fields for all branches of a function, also for those not taken.
 

@@ -12,6 +12,7 @@ module Rosy.Loop.Quiescence
 where
 
 import qualified Data.Sequence as Seq
+import Rosy.Arbitration (nextRelease)
 import Rosy.Core
 import Rosy.Loop.State
 
@@ -37,7 +38,7 @@ neverQuiet = Quiescence (-1 / 0) noInterest
 -- | Of a network between two steps.
 quiescence :: Network -> Quiescence
 quiescence (Network running w) = case queue w of
-  [] -> ofRunning running
+  [] -> ofRunning running <> Quiescence (nextRelease (holds (tasks w))) noInterest
   -- Left over from more rounds than one instant has (rule R8).
   _ -> neverQuiet
 

@@ -42,6 +42,7 @@ import Data.Dynamic (Dynamic)
 import Data.IntMap.Strict (IntMap)
 import Data.Sequence (Seq)
 import GHC.Exts (oneShot)
+import Rosy.Arbitration (Holds)
 import Rosy.Channel (Channel (..))
 import Rosy.Core
 
@@ -138,6 +139,8 @@ data Tasks = Tasks
     cleanups :: !(IntMap Function),
     -- | The channels that are not at rest, each with the scope that sent its command in force.
     moving :: ![(Channel, ScopeId)],
+    -- | What the arbiters keep (rule R25).
+    holds :: !Holds,
     -- | What led to the latest change of tasks: the cause of what is carried out at once.
     turning :: !Cause
   }

@@ -2,7 +2,7 @@
 -- Module      : Rosy.Model.Firing
 -- Description : When a function fires, and what one firing does.
 --
--- Rules R1 to R9 as pure code; what becomes of tasks is in "Rosy.Model". Two notions carry everything:
+-- Rules R1 to R9 and R25 as pure code; what becomes of tasks is in "Rosy.Model". Two notions carry everything:
 --
 -- * An __arrival__ is a value that an input gets from one happening ('arrivals'). A function fires at each arrival of its input.
 -- * A __turn__: an v'Either' has a turn for each of its sides, the left one first, so that a happening that
@@ -18,6 +18,10 @@ module Rosy.Model.Firing
     modify,
     passTime,
     say,
+    surroundedBy,
+    release,
+    forgetController,
+    forgetSender,
 
     -- * Inputs
     Occurrence (..),
@@ -50,7 +54,7 @@ import Control.Monad.Trans.Class (lift)
 import Control.Monad.Trans.Except (ExceptT, throwE)
 import qualified Control.Monad.Trans.State.Strict as State
 import qualified Data.IntSet as IntSet
-import Data.List (nub)
+import Data.List (nub, sort)
 import Data.Maybe (catMaybes, fromMaybe, isJust, isNothing)
 import Rosy.Model.Program
 import Rosy.Model.Relevance
@@ -79,6 +83,11 @@ data World = World
     cleanups :: [(Int, Function)],
     -- | The scope that commanded the velocity in force, unless that is 0.
     driver :: Maybe Int,
+    -- | The arbiters that the commands of a new scope pass, those of each scope, and what each keeps for velocities and lights: since
+    -- when and until when the first controller has the actuator, and the second one's latest command (rule R25).
+    surrounding :: [Owned],
+    inherited :: [(Int, [Owned])],
+    holds :: [((Int, Int, Bool), (Maybe (Int, Int), Maybe (Int, [Owned], Output)))],
     -- | How many instants there were.
     instants :: Int,
     -- | Newest first.
@@ -96,6 +105,9 @@ data World = World
     absent :: Phantoms,
     known :: [(Int, Int, Function)]
   }
+
+-- | An arbiter with the scope in whose controller it stands.
+type Owned = (Int, Arbiter)
 
 -- | What leads to a change of tasks: the last three are what the latest firing in a scope gave, the latest feedback, and the end of the program.
 data Turning = AtStart | InThisInstant | After Int | Feeding | AtEnd
@@ -284,14 +296,80 @@ fire why label scope f a = do
   where
     carryOut number needs out = case out of
       Command v -> say (Commanded v) -- rule R9
-      Drive v -> say (Driven v) >> modify (\w -> w {driver = if v == 0 then Nothing else Just scope})
+      Drive _ -> passing [] out
+      Light _ -> passing [] out
+      Arbitrated _ (Call _) -> pure ()
+      Arbitrated own o -> passing own o
       Write t v -> remember number needs (scope, t) v
       Share t v -> remember number needs (paramScope, t) v
       Emit t v -> modify (\w -> w {queue = queue w ++ [(Sending (emitted w) number needs, (t, v))], emitted = emitted w + 1})
       Feedback v -> modify (\w -> w {fed = fed w ++ [v], latestFed = number})
       _ -> pure ()
+    passing own out = arbitersOf scope own >>= \arbiters' -> send scope arbiters' out
     remember number needs key@(s, t) v =
       modify (\w -> w {memory = (key, (v, number)) : filter ((/= key) . fst) (memory w), labels = replaceLabel (Remembered s t) needs (labels w)})
+
+-- ---------------------------------------------------------------------------------------------
+-- Priority (rule R25)
+
+-- | These arbiters of a controller in this scope, and those around it.
+arbitersOf :: Int -> [Arbiter] -> Doing [Owned]
+arbitersOf scope own = gets (\w -> [(scope, a) | a <- own] ++ fromMaybe [] (lookup scope (inherited w)))
+
+-- | The scopes that begin meanwhile have these arbiters of this scope around them.
+surroundedBy :: Int -> [Arbiter] -> Doing a -> Doing a
+surroundedBy scope own act = do
+  before <- gets surrounding
+  inside <- arbitersOf scope own
+  modify (\w -> w {surrounding = inside})
+  act <* modify (\w -> w {surrounding = before})
+
+-- | A velocity or a light on its way through arbiters.
+send :: Int -> [Owned] -> Output -> Doing ()
+send scope arbiters' out = case arbiters' of
+  [] -> actuate
+  (owner, Arbiter n side) : outer -> do
+    now <- gets time
+    let key = (owner, n, isLight)
+    (held, latest') <- gets (fromMaybe (Nothing, Nothing) . lookup key . holds)
+    case side of
+      Leads t -> keep key (Just (now, now + t), latest') >> send scope outer out
+      Follows -> keep key (held, Just (scope, outer, out)) >> if maybe False (isHeldAt now) held then pure () else send scope outer out
+  where
+    isLight = case out of
+      Light _ -> True
+      _ -> False
+    actuate = case out of
+      Drive v -> say (Driven v) >> modify (\w -> w {driver = if v == 0 then Nothing else Just scope})
+      Light v -> say (Lit v)
+      _ -> pure ()
+
+keep :: (Int, Int, Bool) -> (Maybe (Int, Int), Maybe (Int, [Owned], Output)) -> Doing ()
+keep key hold = modify (\w -> w {holds = (key, hold) : filter ((/= key) . fst) (holds w)})
+
+isHeldAt :: Int -> (Int, Int) -> Bool
+isHeldAt now (since, until') = now == since || now < until'
+
+-- | Where the time of the first controllers is over, the latest commands of the second ones hold again.
+release :: Doing ()
+release = gets (sort . map fst . holds) >>= mapM_ one
+  where
+    one key = do
+      now <- gets time
+      found <- gets (lookup key . holds)
+      case found of
+        Just (Just held, latest') | not (isHeldAt now held) -> do
+          keep key (Nothing, latest')
+          mapM_ (\(scope, outer, out) -> send scope outer out) latest'
+        _ -> pure ()
+
+-- | The controller of this scope is gone.
+forgetController :: Int -> Doing ()
+forgetController scope = modify (\w -> w {holds = [h | h@((owner, _, _), _) <- holds w, owner /= scope]})
+
+-- | This scope was stopped: what it commanded does not hold again.
+forgetSender :: Int -> Doing ()
+forgetSender scope = modify (\w -> w {holds = map (fmap (fmap (\l -> case l of Just (sender, _, _) | sender == scope -> Nothing; _ -> l))) (holds w)})
 
 -- | The cause of a firing whose inputs an occurrence completes.
 causeOf :: Occurrence -> Doing Cause

@@ -9,6 +9,9 @@ module Rosy.Model.Program
     Spec (..),
     Function (..),
     Calling (..),
+    Arbiter (..),
+    Side (..),
+    arbitrated,
     Input (..),
     Output (..),
     Outlet (..),
@@ -68,6 +71,10 @@ data Output
   = Command Value
   | -- | A velocity; 0 is standing still.
     Drive Int
+  | -- | The colour of a light.
+    Light Int
+  | -- | A velocity or a light that passes these arbiters, the innermost first; or the call of a task whose commands do.
+    Arbitrated [Arbiter] Output
   | Write Type Value
   | Share Type Value
   | Emit Type Value
@@ -113,12 +120,33 @@ data Spec = Spec
 
 -- | A task that is started beside its caller.
 data Calling = Calling
-  { called :: Program,
+  { -- | What the commands of the task pass besides its own arbiters.
+    arbiters :: [Arbiter],
+    called :: Program,
     -- | Gives any output to cancel.
     cancel :: Maybe Function,
     feedback :: Value -> Maybe Function,
     response :: Value -> Function
   }
+
+-- | One side of a priority (rule R25), by its number in the controller.
+data Arbiter = Arbiter Int Side
+  deriving (Eq, Show)
+
+-- | The controller that goes before the other, for so many milliseconds after its last command, or the other one.
+data Side = Leads Int | Follows
+  deriving (Eq, Show)
+
+-- | A function whose commands pass an arbiter.
+arbitrated :: Arbiter -> Function -> Function
+arbitrated arbiter f = f {body = map through . body f}
+  where
+    through out = case out of
+      Drive _ -> Arbitrated [arbiter] out
+      Light _ -> Arbitrated [arbiter] out
+      Call _ -> Arbitrated [arbiter] out
+      Arbitrated inner o -> Arbitrated (inner ++ [arbiter]) o
+      _ -> out
 
 -- ---------------------------------------------------------------------------------------------
 -- Time
@@ -129,7 +157,7 @@ data Happening = Happens Type Value | Odometry Int | Tick | Stop | Loss
   deriving (Eq, Show)
 
 -- | What is heard of a program: the names of functions that fire, commands, velocities, and how it ended.
-data Said = Fired String | Commanded Value | Driven Int | Over Ending
+data Said = Fired String | Commanded Value | Driven Int | Lit Int | Over Ending
   deriving (Eq, Show)
 
 -- | How a program ends. Three ways name the function that is to blame.

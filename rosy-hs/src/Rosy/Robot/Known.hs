@@ -54,6 +54,7 @@ kobuki =
       robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1])],
       robotOnDemand = [aheadChannel, scanChannel],
       robotLimits = (0.7, 3.141592653589793),
+      robotWheels = Just (0.7, 0.23),
       robotSerial =
         [ (buttonChannel, Edges 1 11 [0, 1, 2]),
           (bumperChannel, Edges 1 2 [2, 1, 0]),
@@ -111,6 +112,7 @@ turtlesim =
       robotHeld = [],
       robotOnDemand = [],
       robotLimits = (2.0, 2.0),
+      robotWheels = Nothing,
       robotSerial = [],
       robotMessages =
         [ ("geometry_msgs", "Twist", "Vector3 linear\nVector3 angular\n"),
@@ -124,7 +126,7 @@ create3 :: Robot
 create3 =
   Robot
     { robotName = "create3",
-      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("velocityType", "geometry_msgs/Twist"), ("velocityIn", ""), ("messages", "irobot_create_msgs")])],
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "irobot_create_msgs")])],
       robotMappings =
         [ Mapping buttonChannel "{prefix}/interface_buttons" "{messages}/InterfaceButtons" [] [IsSet [Key "button_1", Key "is_pressed"] ATruth, IsSet [Key "button_power", Key "is_pressed"] ATruth, IsSet [Key "button_2", Key "is_pressed"] ATruth] [] Published,
           Mapping bumperChannel "{prefix}/hazard_detection" "{messages}/HazardDetectionVector" [] [HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_left", "bump_front_left"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] False ["bump_left", "bump_front_left", "bump_right", "bump_front_right"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_right", "bump_front_right"]] [] Published,
@@ -134,7 +136,7 @@ create3 =
           Mapping turnRateChannel "{prefix}/imu" "sensor_msgs/Imu" [At [Key "angular_velocity", Key "z"] (ANumber 1)] [] [] Published,
           Mapping batteryChannel "{prefix}/battery_state" "sensor_msgs/BatteryState" [At [Key "voltage"] (ANumber 1)] [] [] Published,
           Mapping chargerChannel "{prefix}/dock_status" "{messages}/DockStatus" [At [Key "is_docked"] (ACode [(0, "false"), (6, "true")])] [] [] Published,
-          Mapping velocityChannel "{velocity}" "{velocityType}" [At [Key "{velocityIn}", Key "linear", Key "x"] (ANumber 1), At [Key "{velocityIn}", Key "angular", Key "z"] (ANumber 1)] [] [([Key "{velocityIn}", Key "linear", Key "y"], "0.0"), ([Key "{velocityIn}", Key "linear", Key "z"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "x"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "y"], "0.0")] Published,
+          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
           Mapping led1Channel "{prefix}/cmd_lightring" "{messages}/LightringLeds" [AtAll [[Key "leds", Index 2], [Key "leds", Index 3], [Key "leds", Index 4]] (ACode [(0, "{\"red\": 0, \"green\": 0, \"blue\": 0}"), (1, "{\"red\": 0, \"green\": 255, \"blue\": 0}"), (2, "{\"red\": 255, \"green\": 120, \"blue\": 0}"), (3, "{\"red\": 255, \"green\": 0, \"blue\": 0}")])] [] [([Key "override_system"], "true")] Published,
           Mapping led2Channel "{prefix}/cmd_lightring" "{messages}/LightringLeds" [AtAll [[Key "leds", Index 0], [Key "leds", Index 1], [Key "leds", Index 5]] (ACode [(0, "{\"red\": 0, \"green\": 0, \"blue\": 0}"), (1, "{\"red\": 0, \"green\": 255, \"blue\": 0}"), (2, "{\"red\": 255, \"green\": 120, \"blue\": 0}"), (3, "{\"red\": 255, \"green\": 0, \"blue\": 0}")])] [] [([Key "override_system"], "true")] Published,
           Mapping motorPowerChannel "{prefix}/e_stop" "{messages}/EStop" [At [Key "e_stop_on"] (ACode [(1, "false"), (0, "true")])] [] [] Called,
@@ -144,6 +146,7 @@ create3 =
       robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (motorPowerChannel, [Whole 1])],
       robotOnDemand = [],
       robotLimits = (0.306, 1.9),
+      robotWheels = Nothing,
       robotSerial = [],
       robotMessages = []
     }
@@ -152,7 +155,7 @@ turtlebot3 :: Robot
 turtlebot3 =
   Robot
     { robotName = "turtlebot3",
-      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("velocityType", "geometry_msgs/Twist"), ("velocityIn", ""), ("messages", "turtlebot3_msgs")])],
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "turtlebot3_msgs")])],
       robotMappings =
         [ Mapping buttonChannel "{prefix}/sensor_state" "{messages}/SensorState" [] [IsSet [Key "button"] (ABit 0), IsSet [Key "button"] (ABit 1)] [] Published,
           Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [] Published,
@@ -160,7 +163,7 @@ turtlebot3 =
           Mapping batteryChannel "{prefix}/battery_state" "sensor_msgs/BatteryState" [At [Key "voltage"] (ANumber 1)] [] [] Published,
           Mapping aheadChannel "{prefix}/scan" "sensor_msgs/LaserScan" [NearestAhead 0.17453292519943295] [] [] Published,
           Mapping scanChannel "{prefix}/scan" "sensor_msgs/LaserScan" [At [Key "angle_min"] (ANumber 1), At [Key "angle_increment"] (ANumber 1), At [Key "range_min"] (ANumber 1), At [Key "range_max"] (ANumber 1), ScanRanges] [] [] Published,
-          Mapping velocityChannel "{velocity}" "{velocityType}" [At [Key "{velocityIn}", Key "linear", Key "x"] (ANumber 1), At [Key "{velocityIn}", Key "angular", Key "z"] (ANumber 1)] [] [([Key "{velocityIn}", Key "linear", Key "y"], "0.0"), ([Key "{velocityIn}", Key "linear", Key "z"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "x"], "0.0"), ([Key "{velocityIn}", Key "angular", Key "y"], "0.0")] Published,
+          Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
           Mapping motorPowerChannel "{prefix}/motor_power" "std_srvs/SetBool" [At [Key "data"] (ACode [(1, "true"), (0, "false")])] [] [] Called,
           Mapping soundChannel "{prefix}/sound" "{messages}/Sound" [At [Key "value"] (ACode [(0, "1"), (1, "0"), (2, "2"), (3, "4"), (4, "3"), (5, "4"), (6, "5")])] [] [] Called,
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
@@ -168,6 +171,7 @@ turtlebot3 =
       robotHeld = [(motorPowerChannel, [Whole 1])],
       robotOnDemand = [],
       robotLimits = (0.22, 1.82),
+      robotWheels = Nothing,
       robotSerial = [],
       robotMessages = []
     }

@@ -5,8 +5,9 @@
 -- stories are told of all three: however a program ends, the robot is told to stop, or its own watchdog sees the silence.
 module Test.Robots.Links (tests) where
 
+import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
-import Control.Monad (forM_, unless, void)
+import Control.Monad (forM_, forever, unless, void)
 import Data.IORef
 import Data.List (isInfixOf, isPrefixOf, nub, transpose)
 import System.Environment (getExecutablePath)
@@ -16,14 +17,12 @@ import Test.Robots.Rigs
 import Test.Ros.Peer
 import Test.Tasty
 import Test.Tasty.HUnit
-import Test.Turns (Day, nextDays, rotated)
 
-tests :: Day -> Ready -> TestTree
-tests day ready = localOption (mkTimeout 300000000) . withResource (newIORef []) printed $ \times ->
+tests :: Ready -> TestTree
+tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) printed $ \times ->
   testGroup "links" $
-    -- Daily the first story on each link, and one in seven of the others, different ones on each link.
-    [ testGroup name [story ready rig title (act times) | (title, act) <- take 1 stories ++ rotated (nextDays link day) 7 (drop 1 stories)]
-      | (link, (name, rig)) <- zip [0 ..] [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("a Create 3", ros2Robot "create3" [] ""), ("ROS 1", rospy), ("serial", serial)]
+    [ testGroup name [story ready rig title (act times) | (title, act) <- stories]
+      | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("a Create 3", ros2Robot "create3" [] ""), ("ROS 1", rospy), ("serial", serial)]
     ]
       ++ [ testGroup
              "what is waited for is said"
@@ -35,7 +34,27 @@ tests day ready = localOption (mkTimeout 300000000) . withResource (newIORef [])
            testGroup
              "a cable is pulled between two computers"
              [story ready rig name (cutOff times) | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy)]],
-           testGroup "ROS 1 alone" [story ready rospy "a sound that is played at once is heard by a base that begins to listen just then" singsAtOnce],
+           testGroup
+             "a program that was frozen does not drive on by itself"
+             [ story ready rig name (standsUntilArmed "stood" frozen)
+               | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy), ("serial", serial)]
+             ],
+           testGroup
+             "the velocity topic's type is asked"
+             [ story ready (ros2Robot name words' "") (unwords (name : words')) stampedDrive
+               | (name, words') <- [("turtlebot3", []), ("turtlebot3", ["stamped"]), ("create3", ["stamped"]), ("create3", ["iron"])]
+             ],
+           testGroup
+             "a robot that appears after the connection, whose publishers are best effort"
+             [ story ready (ros2Robot name ("late" : words') "") (unwords (name : words')) lateRobot
+               | (name, words') <- [("turtlebot3", ["stamped"]), ("create3", [])]
+             ],
+           testGroup
+             "a robot that is told to drive and stands: likely causes are said"
+             [ story ready (rosbridge "2") "rosbridge on ROS 2" (standsStill "or does it not listen to geometry_msgs/msg/Twist on /commands/velocity?"),
+               story ready rospy "ROS 1" (standsStill "or does it not listen to geometry_msgs/Twist on /mobile_base/commands/velocity?")
+             ],
+           testGroup "ROS 1 alone" [story ready rospy "a sound that is played at once is heard by a base that begins to listen just then" singsAtOnce, story ready rospy "a node that was killed, and is still in the master, delays nothing" deadListener],
            testGroup
              "a sensor and a command of the program's own"
              [ story ready (rosbridge "1") "rosbridge on ROS 1" (ownTopics (\r -> void (hears (robot r) "subscribed /dock/core")) (pure ())),
@@ -44,17 +63,18 @@ tests day ready = localOption (mkTimeout 300000000) . withResource (newIORef [])
            testGroup
              "rosbridge alone"
              [ story ready (rosbridge "1") "garbage is passed over, and a lost server is found again" (lostServer times),
-               story ready (rosbridge "1") "a robot that was lost stands until Enter is pressed" (standsUntilArmed "left" (\r -> say (robot r) "drop"))
+               story ready (rosbridge "1") "a robot that was lost stands until Enter is pressed" (standsUntilArmed "left" (\r _ -> say (robot r) "drop"))
              ],
            testGroup
              "serial alone"
              [ story ready serial "noise, cut and corrupted packets are passed over, and a pulled cable is found again" (pulledCable times),
                story ready serial "a cable that is pulled in a turn is found again, and the robot stands" pulledInATurn,
-               story ready serial "a base that was lost stands until Enter is pressed" (standsUntilArmed "plugged" (\r -> say (robot r) "unplug" >> say (robot r) "plug")),
+               story ready serial "a base that was lost stands until Enter is pressed" (standsUntilArmed "plugged" (\r _ -> say (robot r) "unplug" >> say (robot r) "plug")),
                story ready serial "a line with nothing but noise is silent" (onlyNoise times),
                story ready serial "a base without its guardian stands, and has a new one when it drives again" (withoutGuardian times),
                story ready serial "a guardian that stands still does not keep a program from ending" suspendedGuardian,
                story ready serial "a base that answers no question is not driven" mute,
+               story ready serial "it stops in good order on Ctrl-\\" (\r -> driving r "off" "steady" $ \p -> signal p "QUIT" >> sees r "a stop" (stands r) >> exits p 0),
                story ready serial "firmware that speaks another protocol is not driven, and that is final" otherFirmware,
                story ready serial "a base that would stop by itself does so when the cable is pulled" (pulledFromFirmware times)
              ]
@@ -90,9 +110,11 @@ stories =
     ("a program lights an LED", \_ r -> driving r "off" "lights" $ \_ -> bumped r >> sees r "a red light" (red r)),
     ("it stops on Ctrl-C", \times r -> driving r "off" "steady" $ \p -> standsAfter times r "Ctrl-C" (signal p "INT") >> exits p 0),
     ("it stops in an emergency", \times r -> driving r "off" "steady" $ \p -> standsAfter times r "the emergency stop" (signal p "USR1") >> exits p 0),
-    ( "it stops, or is seen to be silent, when the program is killed",
+    ( "it stops when the program is killed",
       \times r ->
-        driving r "off" "steady" $ \p -> standsAfter times r "kill -9" (killPeer p)
+        driving r "off" "steady" $ \p -> do
+          standsAfter times r "kill -9" (killPeer p)
+          toldToStand r
     ),
     ( "it stops, or is seen to be silent, when the program is suspended, and drives on with it",
       \times r ->
@@ -124,11 +146,12 @@ ownTopics connected prepare r = do
   streaming r
   asProgram r "on" "reports" $ \_ -> do
     connected r
-    say (robot r) "send /dock/core {\"battery\": 160}"
-    sees r "the first report" ("got /report {\"linear\": {\"x\": 160.5, \"y\": 0" `isPrefixOf`)
+    -- What comes before the program has begun does not reach it (rule R10): the robot repeats its message until there is an answer.
+    withAsync (forever (say (robot r) "send /dock/core {\"battery\": 160}" >> threadDelay 200000)) . const $
+      sees r "the first report" ("got /report {\"linear\": {\"x\": 160.5, \"y\": 0" `isPrefixOf`)
     say (robot r) "send /dock/core {\"battery\": 120}"
     -- Each topic has a connection of its own on ROS 1, so the order of the two is open.
-    let answers = [(== "got /mobile_base/commands/sound {\"value\": 3}"), ("got /report {\"linear\": {\"x\": 120.5, \"y\": 1" `isPrefixOf`)]
+    let answers = [(== "got /mobile_base/commands/sound {\"value\": 3}"), ("got /report {\"linear\": {\"x\": 120.5, \"y\": " `isPrefixOf`)]
         complete heard = all (`any` heard) answers
     awaitTranscript (robot r) complete
     heard <- transcript (robot r)
@@ -168,6 +191,41 @@ sees r what = void . hearsWhere (robot r) what
 exits :: Peer -> Int -> IO ()
 exits p code = exitOf p >>= (@?= if code == 0 then ExitSuccess else ExitFailure code)
 
+-- | It drives without an option, and what it is told has the robot's time.
+stampedDrive :: Rig -> IO ()
+stampedDrive r = driving r "off" "steady" $ \p -> do
+  told <- filter ("got /cmd_vel" `isPrefixOf`) <$> transcript (robot r)
+  -- The rig's odometry is of 12.5 s.
+  forM_ told $ \l -> assertBool l ("\"header\"" `notElem'` l || any (`isInfixOf` l) ["\"stamp\": {\"sec\": " ++ show s ++ "," | s <- [12 .. 14 :: Int]])
+  rejected <- filter ("rejected" `isPrefixOf`) <$> transcript (robot r)
+  rejected @?= []
+  signal p "TERM"
+  exits p 0
+  where
+    notElem' part whole = not (part `isInfixOf` whole)
+
+-- | It is waited for, found, and asked what it takes.
+lateRobot :: Rig -> IO ()
+lateRobot r = do
+  streaming r
+  asProgram r "off" "steady" $ \p -> do
+    _ <- hearsWhere p "that there is none yet" ("has no odometry" `isInfixOf`)
+    say (robot r) "appear"
+    sees r "movement" (moves r)
+    -- So is all that was silent.
+    awaitTranscript (robot r) (\told -> all ((> 1) . (`times` told)) ["/odom", "/battery_state", "/imu"])
+    signal p "TERM"
+    exits p 0
+  where
+    times topic = length . filter (("subscribed " ++ topic ++ " ") `isPrefixOf`)
+
+-- | The odometry of the rigs never changes.
+standsStill :: String -> Rig -> IO ()
+standsStill why r = driving r "off" "steady" $ \p -> do
+  _ <- hearsWhere p "that it does not move" (\l -> "it has been told to drive for a second and does not move." `isInfixOf` l && why `isInfixOf` l)
+  signal p "TERM"
+  exits p 0
+
 -- | A robot that is not there: the reason in words, and Ctrl-C ends the program.
 waiting :: String -> String -> TestTree
 waiting address why = testCase address $ do
@@ -177,7 +235,8 @@ waiting address why = testCase address $ do
     _ <- hearsWhere p "how to give up" ("Ctrl-C gives up" `isInfixOf`)
     _ <- hearsWhere p why (why `isInfixOf`)
     signal p "INT"
-    exits p 0
+    _ <- hearsWhere p "that it never ran" ("The program never ran" `isInfixOf`)
+    exits p 2
 
 -- | The base's odometry arrives before all that it listens to is connected. The system says who will be.
 singsAtOnce :: Rig -> IO ()
@@ -185,6 +244,19 @@ singsAtOnce r = do
   prepared r
   streaming r
   asProgram r "off" "sings" $ \_ -> sees r "the sound" (== "got /mobile_base/commands/sound {\"value\": 5}")
+
+-- | The master keeps a node that could not say goodbye.
+deadListener :: Rig -> IO ()
+deadListener r = do
+  withPeer (environment r) "gone" $ \gone -> do
+    say gone "sub /mobile_base/commands/velocity geometry_msgs/Twist"
+    _ <- hears gone "subscribed"
+    killPeer gone
+  driving r "off" "steady" $ \p -> do
+    told <- transcript p
+    filter ("no node publishes odometry" `isInfixOf`) told @?= []
+    signal p "TERM"
+    exits p 0
 
 lostServer :: IO Times -> Rig -> IO ()
 lostServer times r = driving r "off" "steady" $ \p -> do
@@ -269,14 +341,14 @@ suspendedGuardian r = driving r "off" "steady" $ \p -> do
   exits p 0
 
 -- | The program commands ten times a second, and all the same the robot stands from this line of its on, until a person agrees.
-standsUntilArmed :: String -> (Rig -> IO ()) -> Rig -> IO ()
+standsUntilArmed :: String -> (Rig -> Peer -> IO ()) -> Rig -> IO ()
 standsUntilArmed since breaks r = do
   answered <- newIORef 0
   streaming r
   asProgramWith r "" "off" "steady" $ \p -> do
     moving answered p
     known <- questions <$> transcript p
-    breaks r
+    breaks r p
     awaitTranscript p ((> known) . questions)
     told <- reverse . takeWhile (not . isPrefixOf since) . reverse <$> transcript (robot r)
     assertBool (unlines told) (not (any (moves r) told))
@@ -295,6 +367,20 @@ standsUntilArmed since breaks r = do
       writeIORef answered (n + 1) >> say p ""
       agreeing answered p
 
+-- | As after a laptop's sleep, or Ctrl-Z and fg: it stood still until the robot stood, and goes on.
+frozen :: Rig -> Peer -> IO ()
+frozen r p = do
+  say (robot r) "mark"
+  _ <- hears (robot r) "marked"
+  signal p "STOP"
+  _ <- hears (robot r) "stood "
+  toldToStand r
+  signal p "CONT"
+
+-- | Its guardian told it so: it does not only stand by its own watchdog.
+toldToStand :: Rig -> IO ()
+toldToStand r = awaitTranscript (robot r) (any (stands r) . takeWhile (not . moves r) . reverse)
+
 mute :: Rig -> IO ()
 mute r = do
   say (robot r) "mute"
@@ -303,7 +389,7 @@ mute r = do
     _ <- hearsWhere p "why it is not driven" ("it does not say which firmware it has" `isInfixOf`)
     neverMoved r
     signal p "TERM"
-    exits p 0
+    exits p 2
 
 otherFirmware :: Rig -> IO ()
 otherFirmware r = do

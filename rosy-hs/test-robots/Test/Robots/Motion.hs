@@ -19,7 +19,7 @@ import qualified Data.ByteString as B
 import qualified Data.ByteString.Char8 as C
 import Data.IORef
 import Rosy.Channel (Action, Message)
-import Rosy.Kobuki.Command (wheelCommand, withinWheels)
+import Rosy.Kobuki.Command (wheelCommand)
 import Rosy.Kobuki.Feedback (Core (..), Inertia (..))
 import Rosy.Kobuki.Sensing
 import Rosy.Link.Mailbox (noMailbox)
@@ -230,7 +230,7 @@ overSerial r = do
         arrives (v, w) = do
           say (robot r) "nudge"
           awaitTranscript (robot r) $ \ls ->
-            take 1 (reverse [drop 2 speeds | "control" : speeds <- map words (drop before ls)]) `elem` ([words (uncurry shown (uncurry wheelCommand (withinWheels v w)))] : [[] | (v, w) == (0, 0)])
+            take 1 (reverse [drop 2 speeds | "control" : speeds <- map words (drop before ls)]) `elem` ([words (uncurry shown (uncurry wheelCommand (withinWheels (Wheels 0.7 0.23) (v, w))))] : [[] | (v, w) == (0, 0)])
     path <- reached r (\base -> played row base False sends arrives)
     compared (called r) row path
   where
@@ -243,8 +243,8 @@ overPipe row = do
   released <- newTVarIO 0
   heard' <- newEventQueue
   stop <- newTVarIO False
-  guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (awaitEvents heard'))
+  guarded <- newTVarIO (newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False)
+  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (awaitEvents heard') (unreadableSoFar heard') (pure Nothing))
   path <- newIORef []
   let observer = (onTerminal (verbatim "a robot")) {onNotice = const (pure ())}
       pace =
@@ -270,7 +270,7 @@ overPipe row = do
       (_, first, _) = packetAt row 0 unmoved unsensed
   withProgramAtPipe noMailbox (mainOf row) $ \socket -> do
     atomically (enqueue heard' Connected >> hears' (first ++ [RobotStatusMessage Online]))
-    withAsync (runLockstep pace observer (readTVar stop) 10 guarded base socket) $ \running -> do
+    withAsync (runLockstep pace observer (readTVar stop) Nothing 10 guarded base socket) $ \running -> do
       go running 0 unmoved unsensed
       awaiting (void (wait running))
   readIORef path >>= compared "the pipe" row . reverse

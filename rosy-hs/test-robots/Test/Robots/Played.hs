@@ -60,7 +60,7 @@ playing main' base known play = do
   due <- newTVarIO False
   progress <- newTVarIO (Progress 0 0 [] False)
   sent <- newIORef 0
-  let unknown = newGuard (Limits 0.7 pi) False
+  let unknown = newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False
       comes f goal = awaiting (atomically (readTVar progress >>= \p -> check (f p >= goal || over p)))
   there <- newTVarIO False
   reins <- newRunControl (if known then snd (onEvent Connected unknown) else unknown)

@@ -6,7 +6,7 @@
 module Test.Robots.Programs (byName, functions, remembering, afterOneAnother) where
 
 import GHC.Generics (Generic)
-import Rosy
+import Rosy hiding (dice)
 import Rosy.Program (Value, commandTopics, sensorTopics, withTopics)
 
 -- | A program by its name on the command line.

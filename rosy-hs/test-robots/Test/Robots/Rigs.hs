@@ -18,7 +18,7 @@ where
 
 import Control.Monad (forM_, void)
 import Data.Either (fromLeft)
-import Data.List (isPrefixOf)
+import Data.List (isInfixOf, isPrefixOf)
 import Ros.Net.Rpc (Uri (..))
 import System.Directory (createDirectoryIfMissing, getTemporaryDirectory, removeDirectoryRecursive)
 import System.Environment (getEnvironment)
@@ -85,7 +85,8 @@ rosbridge version ros = (\_ use -> plainEnvironment >>= \e -> withProgram e "/us
             environment = e,
             streaming = say p ("stream /odom " ++ odometry (stamp version)),
             prepared = pure (),
-            attached = void (hears p "subscribed /odom"),
+            -- Its velocities are advertised when it may be driven.
+            attached = hears p "subscribed /odom" >> void (hears p ("advertised " ++ prefix' ++ "/commands/velocity")),
             bumped = say p ("send " ++ prefix' ++ "/events/bumper {\"bumper\": 0, \"state\": 1}"),
             moves = velocity "0.2",
             stands = velocity "0.0",
@@ -110,14 +111,14 @@ ros2Robot name more extra ros = (\_ use -> plainEnvironment >>= \e -> withProgra
             environment = e,
             streaming = say p ("stream /odom " ++ odometry (stamp "2")),
             prepared = pure (),
-            attached = void (hears p "subscribed /odom"),
+            attached = hears p "subscribed /odom" >> void (hears p "advertised /cmd_vel"),
             bumped = say p "hazard 1 bump_front_left on",
             moves = velocity "0.2",
             stands = velocity "0.0",
             backs = velocity "-0.1",
             red = isPrefixOf ("got /cmd_lightring {\"leds\": [" ++ light 0 ++ ", " ++ light 0 ++ ", " ++ light 255 ++ ", " ++ light 255 ++ ", " ++ light 255 ++ ", " ++ light 0 ++ "]")
           }
-    velocity x = isPrefixOf ("got /cmd_vel {\"linear\": {\"x\": " ++ x)
+    velocity x l = "got /cmd_vel" `isPrefixOf` l && ("\"linear\": {\"x\": " ++ x) `isInfixOf` l
     light r = "{\"red\": " ++ show (r :: Int) ++ ", \"green\": 0, \"blue\": 0}"
 
 rospy :: Either String FilePath -> Maybe WithRig

@@ -1,4 +1,5 @@
 {-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Description : The same program and the same sensor stream give the same commands on every link.
@@ -46,7 +47,7 @@ import Network.Socket (Family (..), Socket, SocketType (..), close, defaultProto
 import Network.Socket.ByteString (recv)
 import Network.Socket.ByteString.Lazy (sendAll)
 import Rosy.Channel (Action (..), Field (..), Message)
-import Rosy.Kobuki.Command (wheelCommand, withinWheels)
+import Rosy.Kobuki.Command (wheelCommand)
 import Rosy.Launch (onLink)
 import Rosy.Link.Mailbox (Mailbox, noMailbox)
 import Rosy.Link.Pipe (pipeLink)
@@ -58,6 +59,7 @@ import Rosy.Robots.PipeCodec
 import Rosy.Robots.RobotRun (withConnection)
 import Rosy.Robots.Target
 import Rosy.Sentence (english, verbatim)
+import Rosy.Topic (pattern OpenMessage)
 import System.Posix.IO (FdOption (..), setFdOption)
 import System.Posix.Types (Fd (..))
 import System.Timeout (timeout)
@@ -124,7 +126,7 @@ inMailbox main' = bracket (callocBytes 65536) free $ \box -> withProgramAtPipe b
   let word at = box `plusPtr` at :: Ptr Word32
       put batch = do
         let bytes = LC.toStrict (Builder.toLazyByteString batch)
-        Unsafe.unsafeUseAsCStringLen bytes (\(from, size) -> copyBytes (box `plusPtr` 4096) from size)
+        Unsafe.unsafeUseAsCStringLen bytes (uncurry (copyBytes (box `plusPtr` 4096)))
         poke (word 0) (fromIntegral (B.length bytes))
       -- The first line and the last come over the link. Reading is outside of the time limit, which could lose what was read.
       look = do
@@ -229,7 +231,7 @@ through :: [Action] -> [Action]
 through as = once (map limited (filter isVelocity as)) ++ filter (not . isVelocity) as
   where
     limited a = case a of
-      VelocityCommand (Velocity v w) -> VelocityCommand (Velocity (max (-0.7) (min 0.7 v)) (max (negate pi) (min pi w)))
+      VelocityCommand (Velocity v w) -> VelocityCommand (uncurry Velocity (withinWheels (Wheels 0.7 0.23) (max (-0.7) (min 0.7 v), max (negate pi) (min pi w))))
       _ -> a
 
 -- ---------------------------------------------------------------------------------------------
@@ -244,8 +246,8 @@ inPlace (name, main') = do
   released <- newTVarIO 0
   hearing' <- newEventQueue
   stop <- newTVarIO False
-  guarded <- newTVarIO (newGuard (Limits 0.7 pi) False)
-  let base = Connection (verbatim "a robot") [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (awaitEvents hearing')
+  guarded <- newTVarIO (newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False)
+  let base = Connection (verbatim "a robot") [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (awaitEvents hearing') (unreadableSoFar hearing') (pure Nothing)
       observer = (onTerminal (verbatim "a robot")) {onProgramCommand = \a -> atomically (modifyTVar' wishes (a :)), onNotice = const (pure ())}
       pace =
         Pace
@@ -262,14 +264,19 @@ inPlace (name, main') = do
       hears' = mapM_ (enqueue hearing' . Received)
       steps = starting (map snd recorded)
   withProgramAtPipe noMailbox main' $ \socket -> do
-    atomically (enqueue hearing' Connected >> mapM_ hears' (take 1 steps))
-    withAsync (runLockstep pace observer (readTVar stop) 10 guarded base socket) $ \running -> do
+    -- What happens before the program starts is not for it, on any channel.
+    atomically (hears' stale >> enqueue hearing' Connected >> hears' stale >> mapM_ hears' (take 1 steps))
+    withAsync (runLockstep pace observer (readTVar stop) Nothing 10 guarded base socket) $ \running -> do
       step running 1 (pure ())
       forM_ (zip [2 ..] (drop 1 steps)) $ \(n, ms) -> step running n (hears' ms)
       step running (length steps + 1) (writeTVar stop True)
       awaiting (void (wait running))
   readTVarIO wishes >>= \as -> sameAs name (reverse as) expected
   readTVarIO told >>= \as -> sameAs name (through (reverse as)) (through expected)
+
+-- | Events of before a program's start, of the robot and of topics of the program's own.
+stale :: [Message]
+stale = [BumperMessage (Bumper side Pressed) | side <- [minBound ..]] ++ [ButtonMessage (Button Button1 Pressed), CliffMessage (Cliff LeftCliff Hole), WheelMessage (Wheel LeftWheel Air), OpenMessage "/own" (Aeson.object [])]
 
 -- | The robot's address, with nothing between the program and the wheels but the limits.
 reached :: Rig -> (Connection -> IO a) -> IO a
@@ -440,7 +447,7 @@ toldAs kind batches = case kind of
   _ -> [show (fromEnum sound) | SoundCommand sound <- concat batches]
   where
     lasts f = concatMap (take 1 . reverse . mapMaybe f . through) batches
-    control v w = let (speed, radius) = uncurry wheelCommand (withinWheels v w) in unwords [show speed, show radius]
+    control v w = let (speed, radius) = uncurry wheelCommand (withinWheels (Wheels 0.7 0.23) (v, w)) in unwords [show speed, show radius]
     light c = show (case c of Black -> 0 :: Int; Red -> 1; Green -> 2; Orange -> 3)
 
 -- | The same, but for a machine so busy that the link itself said stop, because it was told nothing new for 0.6 s, and went on after that.

@@ -12,7 +12,7 @@ import qualified Data.Text as T
 import Rosy.Problem (Fault (..), problemFrom, problemHint, problemMessage)
 import Rosy.Robots.BuiltProgram (readCommandLine, usage)
 import Rosy.Robots.Connection
-import Rosy.Robots.RosbridgeCodec (complaintOf)
+import Rosy.Robots.RosbridgeCodec (decodeFrame, frameComplaint)
 import Rosy.Robots.Target
 import Rosy.Robots.Wording
 import Rosy.Sentence
@@ -49,8 +49,8 @@ tests =
   where
     robot = trWith "the robot at {address}" ["address" =: "ws://pi"]
     sentences =
-      map (explainNotice robot) [IsAwaited unknownReason, IsAwaited (tr "it is not plugged in"), IsThere, IsLost unknownReason, IsLost (tr "it has fallen silent"), IsBack, IsRefused (trWith "its firmware {version} speaks another protocol" ["version" =: "2.2.0"]), IsComplaining (verbatim "x")]
-        ++ mapMaybe complaintOf ["{\"op\":\"service_response\",\"service\":\"/x\",\"result\":false}", "{\"op\":\"service_response\",\"service\":\"/x\",\"result\":false,\"values\":\"y\"}"]
+      map (explainNotice robot) [IsAwaited unknownReason, IsAwaited (tr "it is not plugged in"), IsThere, IsLost unknownReason, IsLost (tr "it has fallen silent"), IsBack, IsRefused (trWith "its firmware {version} speaks another protocol" ["version" =: "2.2.0"]), IsComplaining (verbatim "x"), IsUnreadable (verbatim "y")]
+        ++ mapMaybe (frameComplaint . decodeFrame [] []) ["{\"op\":\"service_response\",\"service\":\"/x\",\"result\":false}", "{\"op\":\"service_response\",\"service\":\"/x\",\"result\":false,\"values\":\"y\"}"]
         ++ [explainTargetError e | address <- ["pi", "ws://pi?robot=hal", "serial:/dev/x?robot=turtlesim", "ws://pi?ros=7"], Left e <- [readTarget address]]
         ++ [why | given <- [[], ["--sead", "1"], ["--robot"], ["--robot", "ws://pi", "--world", "maze"], ["--robot", "ws://pi", "--seconds", "soon"]], Left why <- [readCommandLine "walk" given]]
         ++ filter (isJust . sentenceId) (usage "walk")

@@ -50,7 +50,7 @@ module Test.Worker.Client
   )
 where
 
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (threadDelay, threadWaitWrite)
 import Control.Exception (IOException, SomeException, bracket, onException, try)
 import Control.Monad (filterM, unless, void)
 import Data.Aeson (Value (..), decodeStrict', encode, object, (.=))
@@ -66,6 +66,7 @@ import Data.IORef
 import Data.Maybe (fromMaybe, isJust)
 import Data.Text (Text)
 import qualified Data.Text as Text
+import Foreign.C.Error (throwErrnoIfMinus1RetryMayBlock)
 import Foreign.C.Types
 import Foreign.Ptr (Ptr)
 import Network.Socket hiding (listen)
@@ -197,7 +198,11 @@ tellWithSocket worker request = do
   mapM_ (`withFdSocket` (\fd -> setFdOption (Fd fd) CloseOnExec True)) [mine, theirs]
   let line = Lazy.toStrict (encode request) <> "\n"
   sent <- withFdSocket (socketOf worker) $ \to -> withFdSocket theirs $ \descriptor ->
-    unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) descriptor)
+    -- The socket does not block: while its buffer is full, nothing is sent.
+    throwErrnoIfMinus1RetryMayBlock
+      "sendmsg"
+      (unsafeUseAsCStringLen line (\(bytes, size) -> test_send_with to bytes (fromIntegral size) descriptor))
+      (threadWaitWrite (Fd to))
   tellBytes worker (ByteString.drop (fromIntegral sent) line)
   mine <$ close theirs
 

@@ -14,7 +14,6 @@ import qualified Data.Text as Text
 import System.Posix.Signals (sigKILL, signalProcess)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-import Test.Turns (Day, rotated)
 import Test.Worker.Client
 
 megabytes :: Int
@@ -23,10 +22,10 @@ megabytes = 1024 * 1024
 runMemory :: Int
 runMemory = 64 * megabytes
 
-tests :: Day -> IO Worker -> TestTree
-tests day borrow =
-  testGroup "Prepared runs" $
-    -- One in seven of the long ones each day.
+tests :: IO Worker -> TestTree
+tests borrow =
+  testGroup
+    "Prepared runs"
     [ testCase "a prepared program is the one that runs, and says what one says that was compiled for its run" $ do
         worker <- borrow
         (child, prepared, said) <- do
@@ -197,47 +196,43 @@ tests day borrow =
           signalProcess sigKILL (fromIntegral (processId worker))
           ended worker
           eventually "the prepared child is gone" (not <$> isAlive child)
-          closeLink robot
+          closeLink robot,
+      testCase "an id is prepared once, and a worker prepares a bounded number" $
+        withWorker [] $ \worker -> do
+          robot <- prepare worker "twice" (speaking "no") runMemory
+          again <- prepare worker "twice" (speaking "no") runMemory
+          hear worker >>= (@?= "failed") . text "op"
+          listen again >>= (@?= Nothing)
+          discard worker "twice" robot
+          robots <- forM [1 .. 65 :: Int] $ \n -> prepare worker (toJSON n) bomb runMemory
+          refused <- hear worker
+          (text "op" refused, field "id" refused) @?= ("failed", Number 65)
+          mapM_ closeLink robots,
+      testCase "what takes too long to prepare is given up, and its run is refused for it" $
+        withWorker ["--check-seconds", "0.4"] $ \worker -> do
+          robot <- prepare worker "long" bomb runMemory
+          eventually "it is being compiled" (not . null <$> childrenOf (processId worker))
+          eventually "it was given up" (null <$> childrenOf (processId worker))
+          refused <- ask worker (begin "long" bomb runMemory)
+          (text "op" refused, kinds refused) @?= ("refused", ["too-long"])
+          closeLink robot,
+      testCase "prepared programs are the first to go when memory is short, and run all the same" $
+        withWorker ["--check-memory", show (24 * megabytes), "--total-memory", show (48 * megabytes)] $ \worker -> do
+          robots <- forM ["a", "b", "c" :: Text] $ \n -> prepare worker (toJSON n) (speaking n) runMemory
+          eventually "all wait" ((== 3) . length <$> waitingChildren worker)
+          links <- forM [1, 2 :: Int] $ \n -> run worker (toJSON n) (bomb <> "\n-- " <> Text.pack (show n)) runMemory
+          refused <- replicateM 2 (hear worker)
+          [kinds a | a <- refused] @?= replicate 2 ["too-large"]
+          eventually "a prepared one has ended" ((< 3) . length <$> waitingChildren worker)
+          forM_ (zip ["a", "b", "c" :: Text] robots) $ \(n, robot) -> do
+            tell worker (begin (toJSON n) (speaking n) runMemory)
+            started <- answerOf worker (toJSON n)
+            text "op" started @?= "started"
+            closeLink robot
+            gone <- answerOf worker (toJSON n)
+            text "op" gone @?= "gone"
+          mapM_ closeLink links
     ]
-      ++ rotated
-        day
-        7
-        [ testCase "an id is prepared once, and a worker prepares a bounded number" $
-            withWorker [] $ \worker -> do
-              robot <- prepare worker "twice" (speaking "no") runMemory
-              again <- prepare worker "twice" (speaking "no") runMemory
-              hear worker >>= (@?= "failed") . text "op"
-              listen again >>= (@?= Nothing)
-              discard worker "twice" robot
-              robots <- forM [1 .. 65 :: Int] $ \n -> prepare worker (toJSON n) bomb runMemory
-              refused <- hear worker
-              (text "op" refused, field "id" refused) @?= ("failed", Number 65)
-              mapM_ closeLink robots,
-          testCase "what takes too long to prepare is given up, and its run is refused for it" $
-            withWorker ["--check-seconds", "0.4"] $ \worker -> do
-              robot <- prepare worker "long" bomb runMemory
-              eventually "it is being compiled" (not . null <$> childrenOf (processId worker))
-              eventually "it was given up" (null <$> childrenOf (processId worker))
-              refused <- ask worker (begin "long" bomb runMemory)
-              (text "op" refused, kinds refused) @?= ("refused", ["too-long"])
-              closeLink robot,
-          testCase "prepared programs are the first to go when memory is short, and run all the same" $
-            withWorker ["--check-memory", show (24 * megabytes), "--total-memory", show (48 * megabytes)] $ \worker -> do
-              robots <- forM ["a", "b", "c" :: Text] $ \n -> prepare worker (toJSON n) (speaking n) runMemory
-              eventually "all wait" ((== 3) . length <$> waitingChildren worker)
-              links <- forM [1, 2 :: Int] $ \n -> run worker (toJSON n) (bomb <> "\n-- " <> Text.pack (show n)) runMemory
-              refused <- replicateM 2 (hear worker)
-              [kinds a | a <- refused] @?= replicate 2 ["too-large"]
-              eventually "a prepared one has ended" ((< 3) . length <$> waitingChildren worker)
-              forM_ (zip ["a", "b", "c" :: Text] robots) $ \(n, robot) -> do
-                tell worker (begin (toJSON n) (speaking n) runMemory)
-                started <- answerOf worker (toJSON n)
-                text "op" started @?= "started"
-                closeLink robot
-                gone <- answerOf worker (toJSON n)
-                text "op" gone @?= "gone"
-              mapM_ closeLink links
-        ]
   where
     kinds answer = case field "problems" answer of
       Array ps -> [text "kind" p | p <- foldr (:) [] ps]

@@ -19,20 +19,19 @@ import System.Environment (lookupEnv)
 import System.Posix.Signals (sigABRT, sigKILL, signalProcess)
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
-import Test.Turns (Day, rotated)
 import Test.Worker.Client
 
 megabytes :: Int
 megabytes = 1024 * 1024
 
-tests :: Day -> IO Worker -> TestTree
-tests day borrow =
-  testGroup "Life of a worker" $
-    -- One in seven of the long ones each day.
+tests :: IO Worker -> TestTree
+tests borrow =
+  testGroup
+    "Life of a worker"
     [ testCase "many runs leave no process and no descriptor" $ do
         worker <- borrow
-        -- Two hundred runs by night, forty by day: one process or descriptor that each leaves would be seen after ten.
-        isNightly <- (== Just "1") <$> lookupEnv "ROSY_TEST_SHARE"
+        -- Forty runs, two hundred nightly: one process or descriptor that each leaves would be seen after ten.
+        isNightly <- (== Just "1") <$> lookupEnv "ROSY_TEST_NIGHTLY"
         eventually "nothing is at work" (null <$> childrenOf (processId worker))
         before <- descriptorsOf (processId worker)
         forM_ [1 .. if isNightly then 20 else 4 :: Int] $ \batch -> do
@@ -195,64 +194,61 @@ tests day borrow =
         replicateM_ 2 $ do
           forM_ [1 .. 50 :: Int] (\n -> tell worker (check (toJSON n) ("x = " <> Text.pack (show n))))
           answers <- replicateM 50 (hear worker)
-          map kinds answers @?= replicate 50 ["no-main"]
+          map kinds answers @?= replicate 50 ["no-main"],
+      testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
+        withWorker [] $ \worker -> do
+          one <- forked worker "one"
+          two <- forked worker "two"
+          withRun one "running" idle (64 * megabytes) $ \_ -> do
+            _ <- hear one
+            [program] <- childrenOf (processId one)
+            closeWorker one
+            gone <- hear worker
+            (text "op" gone, text "id" gone) @?= ("gone", "one")
+            eventually "the program has ended" (not <$> isAlive program)
+          signalProcess sigKILL (fromIntegral (processId worker))
+          eventually "the other one has ended" (not <$> isAlive (processId two)),
+      testCase "what takes too much memory to check is told so" $
+        withWorker ["--check-memory", show (40 * megabytes), "--check-seconds", "60"] $ \worker -> do
+          answer <- ask worker (check (Number 1) bulky)
+          kinds answer @?= ["too-large"],
+      testCase "a program that has computed for too long ends with a sentence" $
+        withWorker ["--run-seconds", "1"] $ \worker ->
+          withRun worker "busy" stuck (64 * megabytes) $ \link -> do
+            _ <- hear worker
+            firstStep link
+            gone <- hear worker
+            (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
+      testCase "eight programs that need too much memory to compile stay below one ceiling" $
+        withWorker ["--check-memory", show (48 * megabytes), "--total-memory", show (80 * megabytes), "--check-seconds", "600"] $ \worker -> do
+          own <- anonymousMemory (processId worker)
+          links <- forM [1 .. 8 :: Int] (\n -> run worker (toJSON n) (bulky <> "\n-- " <> Text.pack (show n)) (64 * megabytes))
+          peak <- newIORef 0
+          watcher <- forkIO . forever $ do
+            children <- allChildrenOf (processId worker)
+            sizes <- mapM (fmap (\size -> max 0 (size - own)) . anonymousMemory) children
+            modifyIORef' peak (max (sum sizes))
+            -- A compilation allocates some 3 MB in this time. Looking all the time would take a processor from the compilations.
+            threadDelay 10000
+          answers <- replicateM 8 (hear worker)
+          killThread watcher
+          assertEqual (show answers) (replicate 8 "refused") (map (text "op") answers)
+          map kinds answers @?= replicate 8 ["too-large"]
+          -- Two compilations at once, each with its own limit, and what is allocated between two looks.
+          most <- readIORef peak
+          assertBool (show (most `div` megabytes) <> " MB") (most < 140 * megabytes)
+          mapM_ closeLink links,
+      testCase "a run that waits to be compiled can be ended" $
+        withWorker ["--check-seconds", "60"] $ \worker -> do
+          links <- forM ["a", "b", "c" :: Text] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> n) (64 * megabytes))
+          answer <- ask worker (kill "c")
+          (text "id" answer, text "op" answer, field "signal" answer) @?= ("c", "gone", Number 9)
+          forM_ ["a", "b"] (tell worker . kill)
+          others <- replicateM 2 (hear worker)
+          sort (map (text "id") others) @?= ["a", "b"]
+          mapM_ closeLink links,
+      testCase "when the worker is killed, its programs go" $ leavingNothing (signalProcess sigKILL . fromIntegral . processId)
     ]
-      ++ rotated
-        day
-        7
-        [ testCase "a forked worker ends, with its programs, when its socket is closed or its fork server dies" $
-            withWorker [] $ \worker -> do
-              one <- forked worker "one"
-              two <- forked worker "two"
-              withRun one "running" idle (64 * megabytes) $ \_ -> do
-                _ <- hear one
-                [program] <- childrenOf (processId one)
-                closeWorker one
-                gone <- hear worker
-                (text "op" gone, text "id" gone) @?= ("gone", "one")
-                eventually "the program has ended" (not <$> isAlive program)
-              signalProcess sigKILL (fromIntegral (processId worker))
-              eventually "the other one has ended" (not <$> isAlive (processId two)),
-          testCase "what takes too much memory to check is told so" $
-            withWorker ["--check-memory", show (40 * megabytes), "--check-seconds", "60"] $ \worker -> do
-              answer <- ask worker (check (Number 1) bomb)
-              kinds answer @?= ["too-large"],
-          testCase "a program that has computed for too long ends with a sentence" $
-            withWorker ["--run-seconds", "1"] $ \worker ->
-              withRun worker "busy" stuck (64 * megabytes) $ \link -> do
-                _ <- hear worker
-                firstStep link
-                gone <- hear worker
-                (text "op" gone, text "kind" (field "problem" gone), text "firing" gone) @?= ("gone", "time", "forEver"),
-          testCase "eight programs that need too much memory to compile stay below one ceiling" $
-            withWorker ["--check-memory", show (48 * megabytes), "--total-memory", show (80 * megabytes), "--check-seconds", "600"] $ \worker -> do
-              own <- anonymousMemory (processId worker)
-              links <- forM [1 .. 8 :: Int] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> Text.pack (show n)) (64 * megabytes))
-              peak <- newIORef 0
-              watcher <- forkIO . forever $ do
-                children <- allChildrenOf (processId worker)
-                sizes <- mapM (fmap (\size -> max 0 (size - own)) . anonymousMemory) children
-                modifyIORef' peak (max (sum sizes))
-                threadDelay 1000
-              answers <- replicateM 8 (hear worker)
-              killThread watcher
-              map (text "op") answers @?= replicate 8 "refused"
-              [kinds a | a <- answers] @?= replicate 8 ["too-large"]
-              -- Two compilations at once, each with its own limit, and what is allocated between two looks.
-              most <- readIORef peak
-              assertBool (show (most `div` megabytes) <> " MB") (most < 140 * megabytes)
-              mapM_ closeLink links,
-          testCase "a run that waits to be compiled can be ended" $
-            withWorker ["--check-seconds", "60"] $ \worker -> do
-              links <- forM ["a", "b", "c" :: Text] (\n -> run worker (toJSON n) (bomb <> "\n-- " <> n) (64 * megabytes))
-              answer <- ask worker (kill "c")
-              (text "id" answer, text "op" answer, field "signal" answer) @?= ("c", "gone", Number 9)
-              forM_ ["a", "b"] (tell worker . kill)
-              others <- replicateM 2 (hear worker)
-              sort (map (text "id") others) @?= ["a", "b"]
-              mapM_ closeLink links,
-          testCase "when the worker is killed, its programs go" $ leavingNothing (signalProcess sigKILL . fromIntegral . processId)
-        ]
   where
     kinds = ofProblems "kind"
     severities = ofProblems "severity"
@@ -317,7 +313,11 @@ unfinished = Text.unlines ["main = simulate (forward, back)", "", "forward :: Se
 hungry :: Text
 hungry = Text.unlines ["main = simulate eat", "", "eat :: Velocity -> Velocity", "eat (Velocity v w) = Velocity (fromIntegral (length xs) + fromIntegral (last xs) + v) w", "  where xs = [1 .. 100000000 :: Int]"]
 
--- | Its types double with every line: no machine has the time or the memory to check it.
+-- | Needs some 100 MB to be checked, which grow with the list: on a machine of any speed the memory ends before the time.
+bulky :: Text
+bulky = "main = print (length [" <> Text.intercalate "," (replicate 20000 "(0,'x')") <> "])\n"
+
+-- | Its types double with every line: no machine has the time to check it. It may need little memory.
 bomb :: Text
 bomb = Text.unlines (["main = print (length (show (f30 'x')))", "f0 x = (x, x)"] ++ ["f" <> n k <> " x = f" <> n (k - 1) <> " (f" <> n (k - 1) <> " x)" | k <- [1 .. 30 :: Int]])
   where

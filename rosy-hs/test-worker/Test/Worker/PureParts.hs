@@ -5,14 +5,19 @@
 -- Description : Tests of the pure modules: line buffer, requests, positions, sentences.
 module Test.Worker.PureParts (tests) where
 
-import Control.Monad (void)
-import Data.Aeson (Value (..), object, (.=))
+import Control.Monad (void, (>=>))
+import Data.Aeson (Value (..), eitherDecodeFileStrict', object, (.:), (.=))
+import Data.Aeson.Types (parseEither)
+import Data.Bifunctor (bimap)
 import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import Data.Either (isLeft)
 import qualified Data.Text as Text
 import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.RobotVocabulary (robotLimits)
 import Rosy.Worker.Explanation.SyntaxErrors (explainSyntax)
+import Rosy.Worker.Explanation.TextRepair (programOf)
+import Rosy.Worker.Explanation.TextualMistakes (textualMistakes)
 import Rosy.Worker.MemoryCeiling
 import Rosy.Worker.Problem
 import Rosy.Worker.Protocol
@@ -47,6 +52,8 @@ tests =
         let request n = parseRequest ("{\"op\":\"check\",\"id\":1,\"source\":\"" <> ByteString.replicate n 97 <> "\"}")
         void (request 200000) @?= Right ()
         assertBool "" (isLeft (request 200001)),
+      testCase "a byte order mark in front of a source is no part of it" $
+        parseRequest "{\"op\":\"check\",\"id\":1,\"source\":\"\\ufeffa = 1\"}" @?= Right (Ask (Number 1) (Check "a = 1")),
       testCase "a request keeps the id it was given" $
         parseRequest "{\"op\":\"kill\",\"id\":\"a\"}" @?= Right (Kill (String "a")),
       testProperty "without tabs, a column is a column" $ \(Positive l) (Positive c) ->
@@ -77,6 +84,30 @@ tests =
         overdraft (ceilings 100 50) [Usage 1 Running 60, Usage 2 Compiling 20, Usage 3 Compiling 30, Usage 4 Compiling 5] @?= [3],
       testCase "what is only prepared ends before what compiles, and that before what runs" $
         overdraft (ceilings 100 80) [Usage 1 Running 60, Usage 2 Compiling 70, Usage 3 Prepared 5, Usage 4 Prepared 6] @?= [4, 3, 2],
+      testCase "advice about speeds knows the robot's own limits" $ do
+        robot <- either assertFailure pure =<< eitherDecodeFileStrict' "protocol/robots/kobuki.json"
+        let limit name = parseEither ((.: "limits") >=> (.: name) >=> (.: "value")) robot
+        (limit "speed", limit "turn") @?= bimap Right Right robotLimits,
+      testGroup
+        "no rule about the text finds a mistake in a program without one"
+        [ testCase (Text.unpack (Text.takeWhile (/= '\n') program)) (map (english . message) (textualMistakes (programOf program)) @?= [])
+          | program <-
+              [ "points = [(1,2), (3,4)]\nlist = [1,2,3]",
+                "f = g . h\nrange = [1..5]\nx = 1.5e-3",
+                "type family Elem c\ndata Mode = Go | Stop",
+                "go s | s > 1, x <- s = [y | y <- [x], y > 2]",
+                "main = simulate $ do\n  drive 50\n  turn 90",
+                "main = simulate $ do drive 50; turn 90",
+                "run = forever $ do\n  wait 0.5\n  beep",
+                "f (Bumper LeftBumper Pressed) = Velocity 0 (-1)\nf _ = Velocity 0 0",
+                "f x = case x of\n  Just y -> y * 2\n  _ -> 0",
+                "f :: (Num a, Ord a) => a -> a\nf x = if x > 0 && not (x > 3) then x else 2 * x",
+                "d = let c = 1; e = c - 1 in c + e\n-- | a comment\n--- another",
+                "name' = 'x'\ntext = \"it's – fine, 1,5 cm\"",
+                "module Main where\nimport Data.List (sort)",
+                "e = Robot {speed = 1, side = 'l'}"
+              ]
+        ],
       testCase "a type is taken apart at its outer arrows" $
         splitArrows "(a -> b) -> [c] -> Maybe d" @?= ["(a -> b)", "[c]", "Maybe d"],
       testCase "what Rosy added is taken out of GHC's words" $

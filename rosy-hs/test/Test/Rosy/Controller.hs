@@ -54,8 +54,70 @@ tests =
       testGroup "rule R7: memory" memories,
       testGroup "rule R8: user events" users,
       testGroup "rule R9 and outputs" outputs,
+      testGroup "rule R25: priority" priorities,
       testGroup "controllers and names" controllers
     ]
+
+priorities :: [TestTree]
+priorities =
+  [ says
+      "the first keeps the actuator for its time; then the latest command of the second holds again"
+      (priority 1 back drive')
+      [at 0 ticked, at 0.1 bump, at 0.2 ticked, at 1.0 ticked, at 1.1 still, at 1.2 still]
+      [(0, forwards), (0.1, backwards), (1.1, forwards)],
+    says
+      "each command of the first begins the time anew"
+      (priority 1 back drive')
+      [at 0 ticked, at 0.5 bump, at 1.0 bump, at 1.6 ticked, at 2.0 ticked]
+      [(0, forwards), (0.5, backwards), (1.0, backwards), (2.0, forwards), (2.0, forwards)],
+    says
+      "without a time it goes before only in its instant"
+      (priority 0 always' drive')
+      [at 0 ticked, at 0.1 ticked]
+      [(0, backwards), (0.1, forwards), (0.1, backwards)],
+    says
+      "the first may stand still: it does not command"
+      (priority 1 back drive')
+      [at 0 ticked, at 0.1 unbump, at 0.2 ticked]
+      [(0, forwards), (0.2, forwards)],
+    says
+      "other actuators are not held, and lines are no actuator"
+      (priority 1 back (lamp, line))
+      [at 0.1 bump, at 0.2 ticked]
+      [(0.1, backwards), (0.2, "Led1 Red"), (0.2, "Say \"here\"")],
+    says
+      "a sound is held back, and not played later"
+      (priority 1 (\b -> [ErrorSound | b == Bumper LeftBumper Pressed]) OnSound)
+      [at 0 ticked, at 0.1 bump, at 0.2 ticked, at 1.15 still, at 1.2 ticked]
+      [(0, "OnSound"), (0.1, "ErrorSound"), (1.2, "OnSound")],
+    says
+      "the inner one decides first, and what it lets pass is of its side of the outer one"
+      (priority 1 (priority 0.5 back start) drive')
+      [at 0 ticked, at 0.1 bump, at 0.2 push, at 0.6 still, at 1.5 ticked, at 1.6 still]
+      [(0, forwards), (0.1, backwards), (0.6, "Velocity 0.0 1.0"), (1.6, forwards)],
+    says
+      "a task on the second side goes on, and its command holds again"
+      (priority 1 back (once (Velocity 0.2 0) >> wait 9))
+      [at 0 still, at 0.5 bump, at 1.4 still, at 1.5 still]
+      [(0, forwards), (0.5, backwards), (1.5, forwards)],
+    says
+      "a task on the first side keeps the actuator too, with a priority of its own inside"
+      (priority 1 (wait 0.5 >> (task () (priority 0 back (Velocity 0 0)) :: Task ())) drive')
+      [at 0 ticked, at 0.4 ticked, at 0.5 still, at 0.6 ticked, at 0.7 bump, at 0.8 still, at 1.65 still, at 1.7 ticked]
+      [(0, forwards), (0.4, forwards), (0.6, forwards), (0.6, "Velocity 0.0 0.0"), (0.7, backwards), (0.8, "Velocity 0.0 0.0"), (1.7, "Velocity 0.0 0.0")],
+    testCase "the controllers keep their names" $
+      firedIn (Names [Name "back", Name "drive"]) (priority 1 back drive') [at 0 ticked, at 0.1 bump] @?= ["drive", "back"]
+  ]
+  where
+    says title controller story expected = testCase title (told controller story @?= expected)
+    forwards = "Velocity 0.2 0.0"
+    backwards = "Velocity (-0.2) 0.0"
+    drive' = Velocity 0.2 0
+    always' = Velocity (-0.2) 0
+    back b = if b == Bumper LeftBumper Pressed then Just (Velocity (-0.2) 0) else Nothing
+    start (Button _ _) = Velocity 0 1
+    lamp = Led1 Red
+    line = Say "here"
 
 events :: [TestTree]
 events =

@@ -48,6 +48,7 @@ runtime p days = concatMap sayings <$> rehearse (cues days) (translated p)
     -- Firings and commands come as one list: the translation says each firing aloud.
     read' line
       | "Velocity" `isPrefixOf` line, R.Velocity v _ <- read line = Driven (round v)
+      | "Led1" `isPrefixOf` line, R.Led1 color <- read line = Lit (fromEnum color)
       | otherwise = case read line of
         R.Say ('!' : who) -> Fired who
         R.Say text -> Commanded (read text)

@@ -7,7 +7,7 @@
 -- Description : What a learner reads when something is thrown, and whom it names.
 module Test.Rosy.Problem (tests) where
 
-import Control.Exception (ErrorCall (..), SomeException, TypeError (..), evaluate, throw, toException, try)
+import Control.Exception (ErrorCall (..), Exception, SomeException, TypeError (..), evaluate, throw, toException, try)
 import qualified Data.Map as Map
 import Data.Maybe (fromJust, isJust)
 import qualified Data.Text as Text
@@ -25,6 +25,13 @@ data Shape = Square {side :: Int} | Point deriving (Show)
 class Tells a where tell :: a -> Int
 
 instance Tells Shape
+
+-- | An exception whose text may be empty.
+newtype Silent = Silent String
+
+instance Show Silent where show (Silent said) = said
+
+instance Exception Silent
 
 {- HLINT ignore "Evaluate" -}
 
@@ -52,6 +59,14 @@ tests =
           says "a message without end" (error (cycle "no ")) ("f stopped with an error: " ++ take 300 (cycle "no ")),
           says "a message that fails in its turn" (let message = 'a' : error message in error message) "f stopped with an error: a..."
         ],
+      testCase "an exception without a text, or with blank lines first, says what is known of it" $ do
+        let told e = let p = problemFrom (Just "main") [] Nothing e in (english (problemMessage p), english (problemHint p))
+        told (toException (Silent "")) @?= ("main failed.", "It stopped with Silent, an exception without a text.")
+        told (toException (Silent "\n \t")) @?= ("main failed.", "It stopped with Silent, an exception without a text.")
+        told (toException (Silent "\n\n  too fast\nmore")) @?= ("main failed.", "too fast")
+        told (toException (userError "too fast")) @?= ("main failed.", "user error (too fast)")
+        told (toException (ErrorCall "")) @?= ("main called error with an empty text.", "Say in the text what went wrong.")
+        told (toException (ErrorCall "\ntoo fast")) @?= ("main stopped with an error: too fast", ""),
       testCase "a run that comes to an empty place names the one at the position of GHC's message, or the next one inside of the expression" $ do
         let places = [((1, 25), (1, 26), "second", "b"), ((1, 17), (1, 22), "first", "a"), ((4, 3), (4, 4), "third", "c")]
             at said = let p = atEmptyPlace places (problemFrom (Just "f") [] Nothing (toException (TypeError said))) in (problemKind p, english (problemMessage p), english (problemHint p), problemPlace p)

@@ -111,6 +111,8 @@ output :: Int -> Output -> (Int, [Pair])
 output emitted out = case out of
   Command _ -> (emitted, command "Say")
   Drive _ -> (emitted, command "Velocity")
+  Light _ -> (emitted, command "Led1")
+  Arbitrated _ o -> output emitted o
   Write t _ -> (emitted, to "memory" ++ ["type" .= ("Memory " ++ t)])
   Share t _ -> (emitted, to "param" ++ ["type" .= ("Param " ++ t)])
   Emit t _ -> (emitted + 1, to "event" ++ ["type" .= t, "event" .= emitted])

@@ -34,10 +34,12 @@ import Data.Word (Word64)
 import GHC.Clock (getMonotonicTime)
 import Rosy.Link.Mailbox (mapMailbox, noMailbox)
 import Rosy.Worker.Explanation (explainAll, withoutHiddenEnds)
+import Rosy.Worker.Explanation.ConfusableCharacters (directionControls)
 import Rosy.Worker.Explanation.EmptyPlaces (emptyPlaces)
+import Rosy.Worker.Explanation.TextualAdvice (withTextualAdvice)
 import Rosy.Worker.Ghc
 import Rosy.Worker.Graph (usedTypes)
-import Rosy.Worker.Problem (isError)
+import Rosy.Worker.Problem (Problem (place), isError)
 import Rosy.Worker.Protocol
 import Rosy.Worker.Report (Report (..))
 import Rosy.Worker.StaticAdvice (staticAdvice)
@@ -134,8 +136,9 @@ checkerGrowthLimit = 128 * 1024 * 1024
 checkSource :: Settings -> Purpose -> Session -> Text -> IO (Report, Maybe (Ready, [EmptyPlace]))
 checkSource settings purpose session source = do
   found <- analyseProgram restriction purpose session source
-  let certain = withoutHiddenEnds (refusals found ++ explainAll (outline found) (messages found))
-      all' = certain ++ (if any isError certain then [] else maybe [] (staticAdvice (outline found)) (facts found))
+  let certain = withoutHiddenEnds (explainAll (outline found) (refusals found) (messages found))
+      advised = if any isError certain then certain else maybe certain (withTextualAdvice (outline found) . (certain ++) . staticAdvice (outline found)) (facts found)
+      all' = advised ++ [p | p <- directionControls source, place p `notElem` map place certain]
       report = Report all' (declared found) (connected found) (network found) (onTopics found) (typed found)
       places = emptyPlaces (outline found) (messages found)
   pure (report, if any isError all' then Nothing else (,places) <$> ready found)

@@ -14,12 +14,14 @@ module Rosy.Worker.Explanation
 where
 
 import Control.Applicative ((<|>))
+import Control.Monad (mfilter)
 import Data.Char (isAlphaNum, isDigit, isUpper)
 import Data.List (nub, nubBy)
 import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.CompilerMessage
+import Rosy.Worker.Explanation.ConfusableCharacters (explainConfusable)
 import Rosy.Worker.Explanation.EmptyPlaces (whatFits)
 import Rosy.Worker.Explanation.ImportSuggestions (moduleExporting, moduleForAlias)
 import Rosy.Worker.Explanation.MessageText
@@ -28,18 +30,63 @@ import Rosy.Worker.Explanation.OriginalVocabulary (originalOptionsHint)
 import Rosy.Worker.Explanation.QuickFixes (nearMisses, quickFixes)
 import Rosy.Worker.Explanation.RobotVocabulary
 import Rosy.Worker.Explanation.SyntaxErrors (explainSyntax)
+import Rosy.Worker.Explanation.TextRepair (Program (source, tokens), capitalised, chunkOf, edited, isName, lineAfter, ownerOf, programOf)
+import Rosy.Worker.Explanation.TextualMistakes (textualMistakes)
+import Rosy.Worker.Explanation.Tokenizer (Token (from, word))
 import Rosy.Worker.Explanation.TypeErrors
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
--- | Explains all messages of a program in source order; drops consequences of other messages.
-explainAll :: ProgramOutline -> [CompilerMessage] -> [Problem]
-explainAll outline = withoutConsequences . map explained . filter worthwhile
+-- | Explains all messages of a program in source order; drops consequences of other messages. Takes also the problems that
+-- "Rosy.Worker.Ghc" found itself. A mistake that the text shows replaces what the compiler says about it.
+explainAll :: ProgramOutline -> [Problem] -> [CompilerMessage] -> [Problem]
+explainAll outline refused raws = withoutConsequences (filter (not . isSettled) refused ++ shown ++ filter (not . isRepeated) (map explained (filter worthwhile left)))
   where
+    errors = [raw | raw <- raws, messageSeverity raw == Error || category raw `elem` [Hole, Scope]]
+    program = programOf (text outline)
+    -- The text is searched only where the compiler found an error.
+    suspected = if null errors && not (any isError refused) then [] else textualMistakes program
+    shown = [named (located outline (m {ghc = Text.intercalate "\n\n" (map original (filter (isAbout program m) errors))})) | m <- suspected, any (isAbout program m) errors || null errors && any isError refused]
+    -- What the compiler took for a function may be removed by the repair: @int@ in @int speed = 5@.
+    named m = case (function m, place m) of
+      (Just f, Just s)
+        | any (any (Text.null . by) . edits) (fixes m),
+          mendedProgram <- programOf (edited (concatMap edits (take 1 (fixes m))) (text outline)),
+          f `notElem` map word (tokens mendedProgram) ->
+          m {function = mfilter isName (ownerOf mendedProgram (line (start s)))}
+      _ -> m
+    left = filter (\raw -> not (any (\m -> isAbout program m raw) shown && raw `elem` errors)) raws
+    -- A repair that writes or moves main gives the program one.
+    isSettled p = or [start a <= start b && kind p == "missing-equals" | Just a <- [place p], Just b <- map place shown] || kind p == "no-main" && or [kind m == "main-type" || any ((== "main") . by) es || kind m == "syntax" && all ((== 1) . column . start . replaces) es | m <- shown, f <- fixes m, let es = edits f]
+    -- A problem whose place is found by the explanation.
+    isRepeated p = isError p && or [line (start a) == line (start b) | Just a <- [place p], Just b <- map place shown]
     explained raw = mended raw (located outline ((explain outline raw) {ghc = original raw}))
-    mended raw p = p {fixes = quickFixes outline raw p}
+    mended raw p = explainConfusable (text outline) raw (withLine p {fixes = quickFixes outline raw p})
+    -- The place of a quotation mark is easier to see than to describe.
+    withLine p = case (kind p, place p, fixes p) of
+      ("missing-quote", Just s, [f]) -> p {hint = lineAfter (edits f) (text outline) (start s)}
+      _ -> p
     -- Reported by "Rosy.Worker.Ghc" itself.
     worthwhile raw = not ("The IO action ‘main’ is not defined" `Text.isPrefixOf` Text.concat (take 1 (important raw)))
+
+-- | Whether a message may be a consequence of a mistake in the text: it is about the same definition or a place that the repair changes, it stands
+-- where parsing ended, or it misses a name that stands on the same line.
+isAbout :: Program -> Problem -> CompilerMessage -> Bool
+isAbout program m raw = case (place m, messageSpan raw) of
+  (Just here, Just there)
+    | category raw == Syntax -> chunk (start here) <= chunk (start there)
+    | otherwise ->
+      owner (start here) == owner (start there)
+        -- What a function without a type means is missed where it is used.
+        || isAmbiguous && maybe False (`elem` [word t | t <- tokens program, owner (from t) == owner (start there)]) (owner (start here))
+        || or [start r <= start there && end there <= end r || start there < start r && end r <= end there && line (start there) == line (end there) | f <- fixes m, e <- edits f, let r = replaces e]
+        || "not in scope" `Text.isInfixOf` Text.unwords (important raw) && textAt (source program) there `elem` [word t | t <- tokens program, line (from t) == line (start here)]
+  (_, Nothing) -> True
+  _ -> False
+  where
+    isAmbiguous = any (`Text.isInfixOf` Text.toLower (Text.unwords (important raw))) ["ambiguous", "overlapping instances"]
+    chunk = chunkOf program . line
+    owner = ownerOf program . line
 
 -- | A @Done@ of the program's own is why the end of a task is not known: of the two problems the declaration's stays, as an error.
 withoutHiddenEnds :: [Problem] -> [Problem]
@@ -72,6 +119,7 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
     causes = [function p | p <- ps, kind p `elem` ["hole", "not-in-scope", "unit", "negative-number", "too-many-arguments"]]
     isConsequence p =
       kind p `elem` ["ambiguous-type", "not-a-sensor", "not-a-command"] && (function p `elem` causes || Just "main" `elem` causes)
+        || kind p `elem` ["type-mismatch", "function-as-value", "missing-argument", "memory-types", "ambiguous-type"] && any (sameLine p) (at p "character")
         || isAboutHole p
         || kind p == "ambiguous-type" && any ((< place p) . place) (at p "ambiguous-type")
         || kind p == "function-as-value" && not (null (at p "negative-number"))
@@ -110,7 +158,7 @@ explain outline raw = case category raw of
   Scope -> notInScope
   IncompletePatterns -> uncurry (problem "missing-cases") (explainMissingCases outline raw)
   OverlappingPatterns -> problem "unreachable" (tr "This case is never reached.") (tr "The cases above it take everything already.")
-  MissingFields -> problem "missing-field" (tr "A value is missing in this record.") (maybe (tr "Give it a value too.") (\f -> trWith "Give it a value too: {field}." ["field" =: f]) (listToMaybe (drop 1 (quotedParts said))))
+  MissingFields -> problem "missing-field" (tr "A value is missing in this record.") (maybe (tr "Give it a value too.") (\f -> trWith "Give it a value too: {field}" ["field" =: f]) (listToMaybe (drop 1 (quotedParts said))))
   MissingMethods -> problem "missing-method" (tr "This instance is not complete.") (trWith "Define {or names} as well." ["names" =* quotedParts said])
   Other -> problem "other" (tr "The compiler has a remark about this.") (tr "Its own words are one click away.")
   Types -> fromMaybe unknown (listToMaybe (catMaybes [shape, explainTypes outline raw]))
@@ -139,8 +187,8 @@ explain outline raw = case category raw of
 
     notInScope
       | Just q <- notImported = moduleNotImported q
-      | Just advice <- unitHint unknownName, endsInNumber before = problem "unit" (tr "A number stands without its unit.") advice
-      | behindDot = problem "operator" (tr "A value has no parts behind a dot.") (tr "Take it apart with a pattern, for example: (Position x y).")
+      | Just advice <- unitHint unknownName, endsInNumber before = problem "unit" (tr "A number is written without its unit.") advice
+      | behindDot = problem "operator" (tr "A value has no parts after a dot.") (tr "Take it apart with a pattern, for example: (Position x y)")
       | Text.isPrefixOf "(" unknownName = problem "operator" (trWith "There is no sign ‘{sign}’." ["sign" =: sign]) (fromMaybe (nearMiss everything sign) (foreignNameHint sign))
       | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: unknownName]) (fromMaybe (nearMiss everything unknownName) (foreignNameHint unknownName))
     endsInNumber = maybe False (isDigit . snd) . Text.unsnoc . Text.stripEnd
@@ -163,7 +211,7 @@ explain outline raw = case category raw of
       | states 29916 "Multiple declarations of" || states 10498 "Conflicting definitions for" = Just (problem "duplicate" (trWith "‘{name}’ is defined twice." ["name" =: firstName]) (otherPlace (tr "Rename one of them, or put equations of the same function next to each other.")))
       | states 31744 "Duplicate type signatures" = Just (problem "duplicate" (trWith "‘{name}’ has two types." ["name" =: firstName]) (tr "Remove one of them."))
       | states 44432 "lacks an accompanying binding" = Just (problem "missing-definition" (trWith "‘{name}’ has a type but no definition." ["name" =: firstName]) (lacking everything))
-      | states 91938 "different numbers of arguments" = Just (problem "argument-count" (trWith "The equations of ‘{name}’ take different numbers of values." ["name" =: firstName]) (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (messageSpan raw)) then tr "A pattern with parts needs brackets, for example: (Bumper _ Pressed)." else tr "Give each of them the same number of patterns: _ stands for anything."))
+      | states 91938 "different numbers of arguments" = Just (problem "argument-count" (trWith "The equations of ‘{name}’ take different numbers of values." ["name" =: firstName]) (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (messageSpan raw)) then tr "A pattern with parts needs brackets, for example: (Bumper _ Pressed)" else tr "Give each of them the same number of patterns: _ stands for anything."))
       | states 87543 "Ambiguous occurrence" = Just (problem "ambiguous-name" (trWith "‘{name}’ is the name of two things." ["name" =: firstName]) (whichOne firstName everything))
       | states 55814 "The last statement in a 'do' block" = Just (problem "incomplete" (tr "A do block cannot end like this.") (tr "Its last line says what to do: add one."))
       | saying "Empty 'do' block" = Just (problem "incomplete" (tr "Nothing follows this ‘do’.") (tr "Write what to do on the next line, indented."))
@@ -172,29 +220,29 @@ explain outline raw = case category raw of
       | saying "does not have the required strict field" = Just (problem "missing-field" (trWith "This ‘{name}’ is not complete." ["name" =: firstName]) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
       | saying "does not have field" = Just (problem "unknown-field" (maybe (trWith "‘{name}’ has no field called that." ["name" =: firstName]) (\f -> trWith "‘{name}’ has no field called ‘{field}’." ["name" =: firstName, "field" =: f]) (listToMaybe (drop 1 names))) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
       | saying "is not a (visible) field" || saying "is not a record selector" = Just (problem "unknown-field" (trWith "‘{name}’ is not a field." ["name" =: firstName]) (fromMaybe (tr "Write the constructor and its values in order.") (originalOptionsHint before)))
-      | saying "cannot mix" = Just (problem "operator" (tr "Two comparisons cannot follow one another.") (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (messageSpan raw >>= snippet (text outline)))) then tr "In Haskell, and is written &&, or is written ||." else tr "Join them with &&: 3 < s && s < 5."))
-      | Just ('\'', _) <- Text.uncons =<< (messageSpan raw >>= snippet (text outline)) = Just (problem "character" (tr "Single quotation marks are for one letter.") (tr "A text stands between double ones: \"hello\"."))
+      | saying "cannot mix" = Just (problem "operator" (tr "Two comparisons cannot follow one another.") (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (messageSpan raw >>= snippet (text outline)))) then tr "In Haskell, and is written &&, or is written ||." else tr "Join them with &&: 3 < s && s < 5"))
+      | Just ('\'', _) <- Text.uncons =<< (messageSpan raw >>= snippet (text outline)) = Just (problem "character" (tr "Single quotation marks are for one letter.") (tr "A text is written between double ones: \"hello\""))
       | saying "Expecting" && saying "more argument" = Just (problem "type-argument" (trWith "‘{name}’ needs another type beside it." ["name" =: firstName]) ofWhat)
-      | saying "Expected kind" && saying "but", typeHead (fromMaybe "" (listToMaybe (drop 1 names))) == "Task" = Just (problem "type-argument" (tr "‘Task’ takes one type: what the task ends with.") (tr "Remove the first of the two, for example: Task ()."))
-      | saying "Expected kind" && saying "but" = Just (problem "type-argument" (trWith "‘{type}’ is a complete type: nothing can follow it." ["type" =: typeHead (fromMaybe "" (listToMaybe (drop 1 names)))]) (tr "Remove what stands behind it, or put an arrow -> between."))
-      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (trWith "‘{name}’ cannot stand in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineOf) (messageSpan raw) then tr "Between what a function takes and what it gives stands ->." else tr "Check the type for a missing arrow or bracket."))
-      | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" (tr "This cannot stand on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts."))
+      | saying "Expected kind" && saying "but", typeHead (fromMaybe "" (listToMaybe (drop 1 names))) == "Task" = Just (problem "type-argument" (tr "‘Task’ takes one type: what the task ends with.") (tr "Remove the first of the two, for example: Task ()"))
+      | saying "Expected kind" && saying "but" = Just (problem "type-argument" (trWith "‘{type}’ is a complete type: nothing can follow it." ["type" =: typeHead (fromMaybe "" (listToMaybe (drop 1 names)))]) (tr "Remove what comes after it, or put an arrow -> between."))
+      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (trWith "‘{name}’ cannot be used in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineOf) (messageSpan raw) then tr "An arrow -> goes between what a function takes and what it gives." else tr "Check the type for a missing arrow or bracket."))
+      | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" (tr "This cannot be on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts."))
       | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" (tr "This needs a language extension that is not switched on.") (tr "There is nearly always a simpler way to say it."))
-      | states 54721 "method of class" = Just (problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that stand in the class."))
+      | states 54721 "method of class" = Just (problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that are in the class."))
       | states 23517 "newtype must have exactly one" = Just (problem "newtype" (tr "A newtype holds exactly one value.") (tr "For more than one, write data."))
       | saying "No explicit implementation" = Just (problem "missing-method" (tr "This instance is not complete.") (tr "Define its functions as well."))
       | states 59692 "Duplicate instance declarations",
         (c, t) : _ <- [(c, t) | c <- ["Sensor", "Command"], Just t <- [between ("instance " <> c <> " ") " -- Defined in ‘Rosy." said]] =
-        Just (problem "duplicate" (if c == "Sensor" then trWith "The robot has a sensor ‘{type}’ already." ["type" =: t] else trWith "The robot has a command ‘{type}’ already." ["type" =: t]) (trWith "Remove this declaration. For a topic of your own declare a type: newtype My{type} = My{type} {type}." ["type" =: t]))
+        Just (problem "duplicate" (if c == "Sensor" then trWith "The robot has a sensor ‘{type}’ already." ["type" =: t] else trWith "The robot has a command ‘{type}’ already." ["type" =: t]) (trWith "Remove this declaration. For a topic of your own declare a type: newtype My{type} = My{type} {type}" ["type" =: t]))
       | states 59692 "Duplicate instance declarations" = Just (problem "duplicate" (tr "Rosy has done this for you already.") (tr "Remove this declaration."))
       | saying "does not export" = Just (problem "not-in-scope" (maybe (trWith "The module ‘{module}’ has no such name." ["module" =: firstName]) (\n -> trWith "The module ‘{module}’ has no ‘{name}’." ["module" =: firstName, "name" =: n]) (listToMaybe (drop 1 names))) (tr "Check its spelling."))
       | saying "Could not find module" || saying "Could not load module" = Just (problem "import" (trWith "The module ‘{module}’ is not available here." ["module" =: firstName]) (tr "Remove this import."))
       | otherwise = Nothing
 
     undefinedThing rest
-      | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number stands without its unit.") advice
+      | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number is written without its unit.") advice
       | finding raw == Just ConstructorAsType || "data constructor of that name" `Text.isInfixOf` Text.unwords [said, everything] = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
-      | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double.")
+      | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double")
       | any (`Text.isInfixOf` everything) ["No module named", "no module named"],
         module_ <- fromMaybe "" (listToMaybe (drop 1 names)) =
         moduleNotImported module_
@@ -213,17 +261,17 @@ explain outline raw = case category raw of
             wanted : 1 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here one is named." ["name" =: c, "wanted" =# wanted]) nameEach
             wanted : given : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here {count given} are named." ["name" =: c, "wanted" =# wanted, "given" =# given]) nameEach
             _ -> problem "pattern-arguments" (trWith "‘{name}’ does not hold that many values." ["name" =: c]) nameEach
-    withParts c wanted = trWith "Write it with its parts in brackets: ({code})." ["code" =: Text.unwords (c : replicate wanted "_")]
+    withParts c wanted = trWith "Write it with its parts in brackets: ({code})" ["code" =: Text.unwords (c : replicate wanted "_")]
     nameEach = tr "Name each of them: _ stands for one that is not needed."
 
     -- The hint for a type without the one that it is about.
     ofWhat
-      | firstName == "Memory" = trWith "Say what is remembered, for example: {example}." ["example" =: exampleOf firstName]
-      | firstName `elem` ["Task", "Done"] = trWith "Say with what it ends, for example: {example}." ["example" =: exampleOf firstName]
-      | otherwise = trWith "Say of what, for example: {example}." ["example" =: exampleOf firstName]
+      | firstName == "Memory" = trWith "Say what is remembered, for example: {example}" ["example" =: exampleOf firstName]
+      | firstName `elem` ["Task", "Done"] = trWith "Say with what it ends, for example: {example}" ["example" =: exampleOf firstName]
+      | otherwise = trWith "Say of what, for example: {example}" ["example" =: exampleOf firstName]
 
     otherPlace advice = case nub (mapMaybe lineIn (filter ("Main.hs:" `Text.isPrefixOf`) (Text.words said))) of
-      l : _ | Just l /= fmap (line . start) (messageSpan raw) -> trWith "The other is in line {line}: rename one of them." ["line" =# l]
+      l : _ | Just l /= fmap (line . start) (messageSpan raw) -> trWith "The other is in line {line}: remove or rename one of them." ["line" =# l]
       _ -> advice
     lineIn w = readNumber (Text.takeWhile (/= ':') (Text.drop (Text.length "Main.hs:") w))
 
@@ -246,14 +294,19 @@ typeHead t = fromMaybe t (listToMaybe (typeAtoms t))
 -- | Suggests similar names.
 nearMiss :: Text -> Text -> Sentence
 nearMiss everything unknownName = case nearMisses everything unknownName of
-  [] -> maybe (tr "Check its spelling, or define it.") (\m -> trWith "It comes with Haskell: write at the top: import {module} ({name})." ["module" =: m, "name" =: unknownName]) (moduleExporting unknownName)
+  [] -> maybe (tr "Check its spelling, or define it.") (\m -> trWith "It comes with Haskell: write at the top: import {module} ({name})" ["module" =: m, "name" =: unknownName]) (moduleExporting unknownName)
+  [x]
+    | Text.toLower x == x, Text.toUpper x == unknownName, Text.length x > 1 -> trWith "Write it in small letters: {name}" ["name" =: x]
+    | capitalised x == unknownName -> trWith "Write it with a small letter: {name}" ["name" =: x]
+    | x == capitalised unknownName -> trWith "Write it with a capital letter: {name}" ["name" =: x]
+    | Text.toLower x == Text.toLower unknownName -> trWith "Capital and small letters count: {name}" ["name" =: x]
   xs -> trWith "Did you mean {or names}?" ["names" =* take 3 xs]
 
 -- | Hint for a name with two definitions, one of which may be in the program.
 whichOne :: Text -> Text -> Sentence
 whichOne name everything
   | "defined at" `Text.isInfixOf` everything = maybe (tr "Give yours another name.") (\m -> trWith "One comes from {module}: give yours another name." ["module" =: m]) (listToMaybe modules)
-  | m : _ <- filter (`notElem` ["Prelude", "Rosy"]) modules = trWith "Keep what comes from {module} apart: write import qualified {module} as {alias}, and then {alias}.{name}." ["module" =: m, "alias" =: shortOf m, "name" =: name]
+  | m : _ <- filter (`notElem` ["Prelude", "Rosy"]) modules = trWith "Keep what comes from {module} apart: write import qualified {module} as {alias}, and then {alias}.{name}" ["module" =: m, "alias" =: shortOf m, "name" =: name]
   | otherwise = tr "Write the module in front of it."
   where
     modules = [Text.takeWhile (/= '’') t | t <- drop 1 (Text.splitOn "imported from ‘" everything)]
@@ -266,5 +319,5 @@ lacking everything = case maybe [] quotedParts (after "Perhaps you meant" everyt
 
 importHint :: Text -> Sentence
 importHint q = case moduleForAlias q of
-  Just m -> trWith "Write at the top: import qualified {module} as {alias}." ["module" =: m, "alias" =: q]
-  Nothing -> tr "Import the module, or leave out what stands before the dot."
+  Just m -> trWith "Write at the top: import qualified {module} as {alias}" ["module" =: m, "alias" =: q]
+  Nothing -> tr "Import the module, or leave out what comes before the dot."

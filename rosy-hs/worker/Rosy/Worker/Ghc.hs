@@ -235,7 +235,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
       -- An instance that is refused has one problem.
       isRefused p = kind p == "empty-instance" && or [fmap lineOf (messageSpan m) == fmap lineOf (place p) | m <- found, messageSeverity m == Error]
       lineOf = line . Placed.start
-      noMain = [problemNowhere "no-main" (tr "The program does not say what the robot should do.") (tr "Add a line that starts with: main = simulate") | null mains]
+      noMain = [problemNowhere "no-main" (tr "The program does not say what the robot should do.") (case names of [f] -> trWith "Add a line, for example: {code}" ["code" =: "main = simulate " <> Text.pack f]; _ -> tr "Add a line that starts with: main = simulate") | null mains]
       whole raws tcg next =
         let describe spelling = describeFunctions flags spelling (map Text.pack names) tcg
             connections = describe AsWritten

@@ -39,6 +39,7 @@ import qualified Data.ByteString as ByteString
 import qualified Data.ByteString.Char8 as Char8
 import qualified Data.ByteString.Lazy as Lazy
 import qualified Data.Map.Strict as Map
+import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -112,8 +113,9 @@ request i o = do
     other -> fail ("There is no request called " ++ show other ++ ".")
   where
     order = Order <$> source <*> o .: "memory" <*> o .:? "plain" .!= False
+    -- A byte order mark belongs to the file, not to the program: columns count without it.
     source = do
-      text <- o .: "source"
+      text <- (\given -> fromMaybe given (Text.stripPrefix "\xFEFF" given)) <$> o .: "source"
       if Text.length text > maxSourceLength
         then fail ("The source is longer than " ++ show maxSourceLength ++ " characters.")
         else pure text

@@ -23,6 +23,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.CompilerMessage (ProgramOutline (..))
 import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.Tokenizer (Token (..), tokenSpan, tokenize)
 import Rosy.Worker.Explanation.TypeErrors (typePlace)
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
@@ -57,7 +58,7 @@ data Constructor = Constructor {constructorName :: Text, fieldTypes :: [Text]}
 
 -- | In the order of the text.
 staticAdvice :: ProgramOutline -> Facts -> [Problem]
-staticAdvice outline facts = sortOn place (ofFunctions ++ filter ((`notElem` map function ofFunctions) . function) impossibleCases ++ ignoredWorlds)
+staticAdvice outline facts = sortOn place (ofFunctions ++ sentByMain ++ filter ((`notElem` map function ofFunctions) . function) impossibleCases ++ ignoredWorlds)
   where
     ofFunctions = concat [neverSent, neverTaken, neverWritten, neverRead]
     -- As written, with the types spelled out.
@@ -90,6 +91,32 @@ staticAdvice outline facts = sortOn place (ofFunctions ++ filter ((`notElem` map
           not (hasOtherTargets d),
           t `notElem` taken
       ]
+
+    -- A value in main itself, as in simulate Knock, which no function takes.
+    sentByMain =
+      [ (uncurry (problemAt (tokenSpan t) "never-taken") (unanswered (typeName d) (map word (drop 3 whole)))) {severity = Note, function = Just "main"}
+        | Just within <- [lookup "main" (bindings outline)],
+          d <- declaredTypes facts,
+          not (hasOtherTargets d),
+          all ((`notElem` map fst (matched facts)) . constructorName) (constructors d),
+          not (any (elem (typeName d) . wordsOf . snd) [x | x@(name, _) <- typesOfNames outline, name /= "main", Text.all isLower (Text.take 1 name)]),
+          let whole = [t | t <- tokenize (text outline), from t >= start within, from t < end within],
+          t : _ <- [[t | t <- whole, word t `elem` map constructorName (constructors d)]]
+      ]
+
+    -- Takes the words behind @main = simulate@.
+    unanswered t given' = case given' of
+      [value] ->
+        ( trWith "‘{type}’ is only an event: alone, it makes the robot do nothing." ["type" =: t],
+          trWith "Write a function that takes it, for example: {code}, and below it: {equation}. Then put both into simulate: {other}" ["code" =: answer, "equation" =: equation, "other" =: ("main = simulate (" <> value <> ", answer)")]
+        )
+      _ ->
+        ( trWith "No function takes ‘{type}’, so it has no effect." ["type" =: t],
+          trWith "Write a function that takes it, for example: {code}, and below it: {equation}. Then give it to simulate as well." ["code" =: answer, "equation" =: equation]
+        )
+      where
+        answer = "answer :: " <> t <> " -> Sound"
+        equation = "answer _ = ErrorSound"
 
     neverWritten =
       [ note f written "never-written" (trWith "‘{function}’ reads ‘{type}’, and no function writes it." ["function" =: called f, "type" =: written]) (trWith "So it never changes. Give ‘{type}’ in a function." ["type" =: written])

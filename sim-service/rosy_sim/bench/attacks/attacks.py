@@ -1,12 +1,13 @@
 """
-Attacks of one client on the service: heavy rooms, compile bombs, guessed codes, taken places, paused runs, half-open
-requests, floods of frames and of requests. Each goes on until its process is killed.
+Attacks on the service, from one address or several: one at least on each resource that ``accounting/resources.py``
+grants, and on the event loop. Each goes on until its process is killed.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
+import itertools
 from collections.abc import Awaitable, Callable
 from dataclasses import dataclass
 from typing import Any
@@ -17,10 +18,7 @@ from websockets.frames import Frame, Opcode
 
 from .page_client import PageClient, opened
 
-__all__ = ["ATTACKER", "ATTACKS", "Attack"]
-
-ATTACKER = "127.0.0.2"
-"""Address of the client; that of the other pages is 127.0.0.1."""
+__all__ = ["ATTACKS", "Attack", "Target"]
 
 _BOMB = """f0 x = (x, x)
 f1 = f0 . f0
@@ -40,21 +38,45 @@ _SIDE = 42
 """Side of the rooms, m."""
 
 
+_SPIN = "main = simulate (\\(Velocity v w) -> Velocity (sum [sin (v + k) | k <- [1 .. 20000]] / 1e9) w)\n"
+"""Computes for milliseconds in each step."""
+
+_ROOM_TEST = {"family": "obstacles", "rooms": 200, "seed": 1, "seconds": 120, "properties": "never-pushes"}
+
+
+@dataclass(frozen=True, slots=True)
+class Target:
+    """The service at a port of this machine, and the code of its class."""
+
+    port: int
+    code: str
+
+
 Begun = Callable[[], None]
 """Called by a client when its attack has begun."""
+
+Client = Callable[[Target, str, Begun], Awaitable[None]]
+"""Attacks from an address until it is let go."""
 
 
 @dataclass(frozen=True, slots=True)
 class Attack:
-    """So many clients of one address, each of which attacks the service at a port until it is let go."""
+    """So many clients, shared out to the addresses that they come from."""
 
     title: str
     clients: int
-    client: Callable[[int, Begun], Awaitable[None]]
+    client: Client
 
-    async def run(self, port: int, on_begun: Begun) -> None:
-        """Attack without end; ``on_begun`` is called when all clients have begun or were refused."""
-        waiting = set(range(self.clients))
+    async def run(self, target: Target, addresses: int, most: int, on_begun: Begun) -> None:
+        """
+        Attack without end; ``on_begun`` is called when all clients have begun or were refused.
+
+        Args:
+            addresses: from which the clients come: 127.0.0.2 and the following ones. Honest pages have 127.0.0.1.
+            most: clients.
+        """
+        clients = min(self.clients, most)
+        waiting = set(range(clients))
 
         def begun(number: int) -> None:
             if waiting:
@@ -63,13 +85,14 @@ class Attack:
                     on_begun()
 
         async def again_and_again(number: int) -> None:
+            address = f"127.0.0.{2 + number % addresses}"
             while True:
-                with contextlib.suppress(ConnectionClosed, OSError, TimeoutError):
-                    await self.client(port, lambda: begun(number))
+                with contextlib.suppress(ConnectionClosed, OSError, TimeoutError, EOFError):
+                    await self.client(target, address, lambda: begun(number))
                 begun(number)
                 await asyncio.sleep(1)
 
-        await asyncio.gather(*map(again_and_again, range(self.clients)))
+        await asyncio.gather(*map(again_and_again, range(clients)))
 
 
 def _room(**things: Any) -> dict[str, Any]:
@@ -93,11 +116,11 @@ def _checkerboard(side: int) -> dict[str, Any]:
     return {"name": "attack", "tiles": rows, "start": {"x": 2.5, "y": side / 2 - 2.5, "theta": 0}}
 
 
-def _page(attack: Callable[[PageClient], Awaitable[None]]) -> Callable[[int, Begun], Awaitable[None]]:
+def _page(attack: Callable[[PageClient], Awaitable[None]]) -> Client:
     """A client that is a page."""
 
-    async def client(port: int, begun: Begun) -> None:
-        async with opened(port, ATTACKER) as page:
+    async def client(target: Target, address: str, begun: Begun) -> None:
+        async with opened(target.port, address) as page:
             reading = asyncio.create_task(page.drain())
             begun()
             try:
@@ -110,7 +133,7 @@ def _page(attack: Callable[[PageClient], Awaitable[None]]) -> Callable[[int, Beg
     return client
 
 
-def _in_room(room: dict[str, Any]) -> Callable[[int, Begun], Awaitable[None]]:
+def _in_room(room: dict[str, Any]) -> Client:
     """Choose a heavy room and push a thing in it, again and again."""
 
     async def attack(page: PageClient) -> None:
@@ -140,6 +163,8 @@ async def _guess(page: PageClient) -> None:
     while True:
         guess += 1
         await page.send("unlock", code=f"{guess:06}")
+        # The other pages of this process begin, too.
+        await asyncio.sleep(0)
 
 
 async def _stay(_page: PageClient) -> None:
@@ -152,9 +177,83 @@ async def _pause(page: PageClient) -> None:
     await page.send("pause")
 
 
-async def _half_open(port: int, begun: Begun) -> None:
+async def _spin(page: PageClient) -> None:
+    """Start a run that computes."""
+    await page.send("run", run=1, source=_SPIN, seed=1, speed=1)
+
+
+async def _compile(page: PageClient) -> None:
+    """Start a run of a compile bomb, another one every second."""
+    for turn in itertools.count(1):
+        await page.send("run", run=turn, source=f"{_BOMB}-- {turn}\n", seed=1, speed=1)
+        await asyncio.sleep(1)
+
+
+async def _preview(page: PageClient) -> None:
+    """Ask for the longest preview of a program that computes, again and again."""
+    for turn in itertools.count(1):
+        await page.send("preview", id=turn, source=f"{_SPIN}-- {turn}\n", seconds=300)
+        await asyncio.sleep(2)
+
+
+async def _test(target: Target, address: str, begun: Begun) -> None:
+    """Test a program in as many rooms as a page may."""
+    async with opened(target.port, address) as page:
+        session = (await page.answer("hello", "refusal")).get("session", "")
+        reading = asyncio.create_task(page.drain())
+        try:
+            async with opened(target.port, address, f"room-tests/{session}") as test:
+                await test.send("test", source=_SPIN, **_ROOM_TEST)
+                begun()
+                await test.drain()
+        finally:
+            reading.cancel()
+
+
+async def _join(target: Target, address: str, begun: Begun) -> None:
+    """Join the class as a new pupil, again and again."""
+    async with opened(target.port, address, "class") as page:
+        for turn in itertools.count(1):
+            name = f"{address} {id(page):x} {turn}"[-24:]
+            await page.send("join", code=target.code, nickname=name, language="en")
+            if (await page.answer("entered", "refused"))["op"] == "entered":
+                await page.send("forget")
+            begun()
+
+
+async def _save(target: Target, address: str, begun: Begun) -> None:
+    """Join and store the longest versions without a pause."""
+    async with opened(target.port, address, "class") as page:
+        await page.send("join", code=target.code, nickname=f"{address} {id(page):x}"[-24:], language="en")
+        await page.answer("entered", "refused")
+        begun()
+        for turn in itertools.count(1):
+            saved = {"program": f"p{turn % 7}", "name": "x", "text": f"{turn:06}" * 60_000, "reason": "change"}
+            await page.send("save", **saved, base=0, mark=f"m{turn}")
+            await page.answer("saved", "conflict", "save-failed", "refused")
+
+
+async def _upload(target: Target, address: str, begun: Begun) -> None:
+    """Send the largest file that is kept, and hold it."""
+    async with opened(target.port, address) as page:
+        session = (await page.answer("hello", "refusal")).get("session", "")
+        reader, writer = await asyncio.open_connection("127.0.0.1", target.port, local_addr=(address, 0))
+        try:
+            path = f"/api/recordings/{session}?name=a"
+            writer.write(f"POST {path} HTTP/1.1\r\nHost: 127.0.0.1\r\nContent-Length: 50000000\r\n\r\n".encode())
+            begun()
+            for _ in range(50):
+                writer.write(b"x" * 1_000_000)
+                await writer.drain()
+            await reader.readline()
+            await page.drain()
+        finally:
+            writer.close()
+
+
+async def _half_open(target: Target, address: str, begun: Begun) -> None:
     """Open a connection whose request is never complete."""
-    reader, writer = await asyncio.open_connection("127.0.0.1", port, local_addr=(ATTACKER, 0))
+    reader, writer = await asyncio.open_connection("127.0.0.1", target.port, local_addr=(address, 0))
     try:
         writer.write(b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nX-Long: ")
         begun()
@@ -163,9 +262,19 @@ async def _half_open(port: int, begun: Begun) -> None:
         writer.close()
 
 
-async def _send_frames(port: int, begun: Begun) -> None:
+async def _locked(target: Target, address: str, begun: Begun) -> None:
+    """Open a board and try keys."""
+    async with opened(target.port, address, "board") as board:
+        begun()
+        for turn in itertools.count(1):
+            await board.send("unlock", key=f"key {turn}")
+            await board.answer("refused")
+
+
+async def _send_frames(target: Target, address: str, begun: Begun) -> None:
     """Send empty frames that are no messages, thousands in a packet."""
-    async with connect(f"ws://127.0.0.1:{port}/api/session", local_addr=(ATTACKER, 0), ping_interval=None) as socket:
+    url = f"ws://127.0.0.1:{target.port}/api/session"
+    async with connect(url, local_addr=(address, 0), ping_interval=None) as socket:
         frames = Frame(Opcode.PING, b"").serialize(mask=True) * 40_000
         begun()
         while True:
@@ -174,9 +283,9 @@ async def _send_frames(port: int, begun: Begun) -> None:
             await socket.pong(b"")
 
 
-async def _ask(port: int, begun: Begun) -> None:
+async def _ask(target: Target, address: str, begun: Begun) -> None:
     """Ask for a page again and again, on a connection that stays."""
-    reader, writer = await asyncio.open_connection("127.0.0.1", port, local_addr=(ATTACKER, 0))
+    reader, writer = await asyncio.open_connection("127.0.0.1", target.port, local_addr=(address, 0))
     try:
         begun()
         while True:
@@ -189,16 +298,24 @@ async def _ask(port: int, begun: Begun) -> None:
 
 
 ATTACKS = [
-    Attack("a room of 2,000 movable things on each other", 1, _in_room(_pile(2000, movable=True))),
-    Attack("fifty of them", 50, _in_room(_pile(2000, movable=True))),
-    Attack("200 movable things, fifty pages", 50, _in_room(_posts(200))),
-    Attack("2,000 fixed things on each other, fifty pages", 50, _in_room(_pile(2000, movable=False))),
-    Attack("20,000 walls, fifty pages", 50, _in_room(_checkerboard(200))),
-    Attack("compile bombs, checked and completed", 1, _page(_bomb)),
-    Attack("wrong codes for the robots", 1, _page(_guess)),
-    Attack("400 pages from one address", 400, _page(_stay)),
-    Attack("20 paused runs, of 20 at once", 20, _page(_pause)),
-    Attack("300 half-open requests", 300, _half_open),
-    Attack("empty frames, 20 pages", 20, _send_frames),
-    Attack("requests over HTTP, 50 connections", 50, _ask),
+    Attack("places: 60 runs that compute", 60, _page(_spin)),
+    Attack("places: 60 paused runs", 60, _page(_pause)),
+    Attack("compiling: 20 runs of compile bombs", 20, _page(_compile)),
+    Attack("checks: 20 pages of compile bombs", 20, _page(_bomb)),
+    Attack("previews: 20 pages of long ones", 20, _page(_preview)),
+    Attack("room tests: 20 of 200 rooms", 20, _test),
+    Attack("rooms: 2,000 movable things, 50 pages", 50, _in_room(_pile(2000, movable=True))),
+    Attack("rooms: 200 movable things, 50 pages", 50, _in_room(_posts(200))),
+    Attack("rooms: 2,000 fixed things, 50 pages", 50, _in_room(_pile(2000, movable=False))),
+    Attack("rooms: 20,000 walls, 50 pages", 50, _in_room(_checkerboard(200))),
+    Attack("sockets: 500 pages", 500, _page(_stay)),
+    Attack("sockets: 300 half-open requests", 300, _half_open),
+    Attack("sockets: 100 boards with wrong keys", 100, _locked),
+    Attack("sockets: empty frames, 20 pages", 20, _send_frames),
+    Attack("sockets: 50 connections of requests", 50, _ask),
+    Attack("codes: wrong ones for the robots, 20 pages", 20, _page(_guess)),
+    Attack("uploads: 20 of 50 MB", 20, _upload),
+    Attack("saves: 20 pupils store 360 kB each time", 20, _save),
+    Attack("joins: 20 pages join without end", 20, _join),
 ]
+"""The last ones leave pupils and versions in the class."""

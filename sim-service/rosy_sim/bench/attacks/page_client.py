@@ -12,7 +12,7 @@ from typing import Any
 
 from websockets.asyncio.client import ClientConnection, connect
 
-__all__ = ["PageClient", "opened"]
+__all__ = ["PageClient", "connected", "opened"]
 
 Message = dict[str, Any]
 
@@ -20,8 +20,10 @@ Message = dict[str, Any]
 class PageClient:
     """An open page."""
 
-    def __init__(self, socket: ClientConnection) -> None:
+    def __init__(self, socket: ClientConnection, port: int, address: str) -> None:
         self._socket = socket
+        self.port = port
+        self.address = address
 
     async def send(self, op: str, **fields: Any) -> None:
         """Send a message."""
@@ -41,18 +43,27 @@ class PageClient:
 
 
 @asynccontextmanager
-async def opened(port: int, address: str = "127.0.0.1") -> AsyncIterator[PageClient]:
+async def connected(port: int, path: str, address: str = "127.0.0.1") -> AsyncIterator[ClientConnection]:
     """
-    Open a page of a service on this machine.
+    A socket of a service on this machine.
 
     Args:
         port: of the service.
+        path: below ``/api``.
         address: the client's; all of 127.0.0.0/8 is this machine.
     """
-    url = f"ws://127.0.0.1:{port}/api/session"
+    url = f"ws://127.0.0.1:{port}/api/{path}"
     async with connect(
         url, local_addr=(address, 0), open_timeout=None, ping_interval=None, compression=None, max_size=None
     ) as socket:
-        client = PageClient(socket)
-        yield client
-        asyncio.get_running_loop().call_soon(socket.transport.abort)
+        try:
+            yield socket
+        finally:
+            asyncio.get_running_loop().call_soon(socket.transport.abort)
+
+
+@asynccontextmanager
+async def opened(port: int, address: str, path: str = "session") -> AsyncIterator[PageClient]:
+    """A page, or another client that sends messages."""
+    async with connected(port, path, address) as socket:
+        yield PageClient(socket, port, address)

@@ -21,6 +21,7 @@ from multiprocessing.connection import Connection
 
 import psutil
 
+from ...text_lines import text_lines
 from ..class_pupils import PROGRAM, Counted, run_class
 from ..processor_time import exact_time
 from .local_nodes import Node, cluster_command
@@ -146,13 +147,13 @@ def _on_node(stack: ExitStack, environment: Mapping[str, str], head: Node, node:
     command = cluster_command("node", "--cluster", head.address, "--class", _NAME, "--origin", "http://127.0.0.1")
     said = subprocess.run(command, env=dict(environment), stdout=subprocess.PIPE, text=True, check=True).stdout
     (service,) = node.class_services(_NAME)
-    address = said.splitlines()[-1].partition(" on ")[2].split()[0]
+    address = text_lines(said)[-1].partition(" on ")[2].split()[0]
     return _driving(stack, psutil.Process(service), address, said, pupils)
 
 
 def _driving(stack: ExitStack, service: psutil.Process, address: str, said: str, pupils: int) -> _Class:
     """Pupils join; ``said`` is what the command has printed, in English."""
-    code = next(line for line in said.splitlines() if line.startswith("Class code")).split()[-1]
+    code = next(line for line in text_lines(said) if line.startswith("Class code")).split()[-1]
     key = said.partition("#key=")[2].split()[0]
     ours, theirs = multiprocessing.Pipe()
     clients = multiprocessing.get_context("spawn").Process(

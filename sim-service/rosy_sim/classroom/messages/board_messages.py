@@ -29,8 +29,9 @@ from .message_fields import (
     LessonProgress,
     PlaceInProgram,
     ProjectText,
+    Refusal,
     Refused,
-    Shared,
+    SharedKind,
     Typed,
     decoded,
 )
@@ -41,6 +42,7 @@ from .shared_messages import Shared as ShareBegun
 
 __all__ = [
     "AddComment",
+    "AddPupils",
     "BoardAnswer",
     "BoardRequest",
     "BoardShown",
@@ -49,9 +51,15 @@ __all__ = [
     "CloseTask",
     "Comment",
     "CommentsShown",
+    "DoorShown",
     "HandedIn",
+    "LessonShown",
+    "LessonsShown",
+    "LockDoor",
     "LowerHand",
+    "MergePupils",
     "Need",
+    "NicknameRefused",
     "OpenHandIn",
     "OpenProgram",
     "OpenTask",
@@ -60,13 +68,19 @@ __all__ = [
     "ProgramChanged",
     "ProgramShown",
     "PupilShown",
+    "PupilsAdded",
     "PupilsShown",
     "RemoveComment",
+    "RemovePupils",
+    "RemovedShown",
+    "RenamePupil",
+    "RestorePupil",
     "RoomShown",
     "Send",
     "Sent",
     "SetAttention",
     "StoreShown",
+    "Suspended",
     "Unlock",
     "read_board_request",
 ]
@@ -75,7 +89,7 @@ Date = Annotated[float, msgspec.Meta(ge=0, le=4_102_444_800)]
 """Seconds since 1970, until 2100."""
 
 Need = Literal["hand", "error", "idle"]
-"""Why a pupil may need help: a raised hand, an error for a minute, no run for five minutes."""
+"""Why a pupil may need help: a raised hand, an error for a minute, no run for five minutes of a free class."""
 
 CommentText = Annotated[str, msgspec.Meta(max_length=2000)]
 """A teacher's comment."""
@@ -114,7 +128,7 @@ class Send(msgspec.Struct, tag="send", tag_field="op"):
 
     name: Label
     text: ProjectText
-    what: Shared = "program"
+    what: SharedKind = "program"
     pupils: Annotated[list[int], msgspec.Meta(min_length=1, max_length=1000)] | None = None
 
 
@@ -161,8 +175,56 @@ class RemoveComment(msgspec.Struct, tag="remove-comment", tag_field="op"):
     comment: int
 
 
+class AddPupils(msgspec.Struct, tag="add-pupils", tag_field="op"):
+    """
+    Add pupils who have not joined yet, and do with their three words, which are drawn from the list of ``language``;
+    the answer is ``PupilsAdded``.
+    """
+
+    nicknames: Annotated[list[Typed], msgspec.Meta(min_length=1, max_length=400)]
+    language: Annotated[str, msgspec.Meta(max_length=35)] = "en"
+
+
+class RenamePupil(msgspec.Struct, tag="rename-pupil", tag_field="op"):
+    """Give a pupil another nickname."""
+
+    pupil: int
+    nickname: Typed
+
+
+class RemovePupils(msgspec.Struct, tag="remove-pupils", tag_field="op"):
+    """Remove pupils from the class; they can be restored for some time."""
+
+    pupils: Annotated[list[int], msgspec.Meta(min_length=1, max_length=400)]
+
+
+class RestorePupil(msgspec.Struct, tag="restore-pupil", tag_field="op"):
+    """Restore a removed pupil."""
+
+    pupil: int
+
+
+class MergePupils(msgspec.Struct, tag="merge-pupils", tag_field="op"):
+    """Make two entries of one pupil one: that of ``pupil`` becomes a part of that of ``into``."""
+
+    pupil: int
+    into: int
+
+
+class LockDoor(msgspec.Struct, tag="lock-door", tag_field="op"):
+    """Let no new pupils in, or let them in again."""
+
+    locked: bool
+
+
 BoardRequest = (
     Unlock
+    | AddPupils
+    | RenamePupil
+    | RemovePupils
+    | RestorePupil
+    | MergePupils
+    | LockDoor
     | OpenProgram
     | SetAttention
     | LowerHand
@@ -204,6 +266,16 @@ class StoreShown(msgspec.Struct, tag="store", tag_field="op"):
     fault: StoreFault | None
 
 
+class Suspended(msgspec.Struct, tag="suspended", tag_field="op"):
+    """
+    The service did nothing for so many ``seconds`` before ``at``, in s since 1970: its machine slept, or its lid was
+    closed.
+    """
+
+    at: float
+    seconds: float
+
+
 class PupilShown(msgspec.Struct):
     """A pupil; ``changed`` is when a program of theirs was stored last, in s ago."""
 
@@ -222,9 +294,43 @@ class PupilShown(msgspec.Struct):
 
 
 class PupilsShown(msgspec.Struct, tag="pupils", tag_field="op"):
-    """All pupils, in the order in which they joined."""
+    """
+    All pupils, in the order in which they joined. ``most_idle``: more than half of the
+    connected pupils have not run a program for five minutes; then none of them has the need ``idle``.
+    """
 
     pupils: list[PupilShown]
+    most_idle: bool = False
+
+
+class NicknameRefused(msgspec.Struct):
+    """A nickname that was not added, and why."""
+
+    nickname: str
+    reason: Refusal
+
+
+class PupilsAdded(msgspec.Struct, tag="pupils-added", tag_field="op"):
+    """So many pupils were added."""
+
+    added: int
+    refused: list[NicknameRefused]
+
+
+class RemovedShown(msgspec.Struct):
+    """A pupil who was removed; ``at`` is when, ``until`` when everything stored of the pupil goes, in s since 1970."""
+
+    id: int
+    nickname: str
+    at: float
+    until: float
+
+
+class DoorShown(msgspec.Struct, tag="door", tag_field="op"):
+    """Whether new pupils are let in, and who was removed and can be restored, the pupil removed last first."""
+
+    locked: bool
+    removed: list[RemovedShown]
 
 
 class RoomShown(msgspec.Struct, tag="room", tag_field="op"):
@@ -279,7 +385,8 @@ class Sent(msgspec.Struct, tag="sent", tag_field="op"):
 class HandedIn(msgspec.Struct):
     """
     A pupil's hand-in for a task, without its text; ``at`` in s since 1970. The programs of the pupils ``alike`` differ
-    from it in comments, layout and names of their own only.
+    from it in comments, layout and names of their own only. ``lesson`` is the lesson in which it was made, empty for
+    none.
     """
 
     pupil: int
@@ -287,6 +394,7 @@ class HandedIn(msgspec.Struct):
     name: str
     comment: str
     alike: list[int]
+    lesson: str = ""
 
 
 class BoardTask(msgspec.Struct):
@@ -309,6 +417,22 @@ class BoardTasks(msgspec.Struct, tag="tasks", tag_field="op"):
     tasks: list[BoardTask]
 
 
+class LessonShown(msgspec.Struct, array_like=True):
+    """So many of the steps of a lesson are done by a pupil."""
+
+    pupil: int
+    lesson: str
+    title: str
+    done: int
+    steps: int
+
+
+class LessonsShown(msgspec.Struct, tag="lessons", tag_field="op"):
+    """The progress of all pupils in lessons."""
+
+    lessons: list[LessonShown]
+
+
 class CommentsShown(msgspec.Struct, tag="comments", tag_field="op"):
     """The comments on the programs of the pupil whose program the board opened last, oldest first."""
 
@@ -319,7 +443,10 @@ class CommentsShown(msgspec.Struct, tag="comments", tag_field="op"):
 BoardAnswer = (
     BoardShown
     | StoreShown
+    | Suspended
     | PupilsShown
+    | PupilsAdded
+    | DoorShown
     | RoomShown
     | PlacesShown
     | ProgramShown
@@ -327,6 +454,7 @@ BoardAnswer = (
     | Sent
     | Refused
     | BoardTasks
+    | LessonsShown
     | CommentsShown
     | Projecting
     | Checking

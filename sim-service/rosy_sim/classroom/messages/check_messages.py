@@ -28,10 +28,10 @@ __all__ = [
     "ShowRooms",
 ]
 
-Fault = Literal["compile", "room", "time", "lost"]
+Fault = Literal["compile", "room", "time", "lost", "lesson"]
 """
 Why a program has no outcome in the rooms: it does not compile; the room of the hand-in cannot be used; the test took
-too long; the trial process was lost.
+too long; the trial process was lost; it was made in no lesson.
 """
 
 ROOMS_OF_A_MESSAGE = 20
@@ -43,11 +43,12 @@ ROOMS_OF_A_MESSAGE = 20
 class CheckAll(msgspec.Struct, tag="check-all", tag_field="op"):
     """
     Try every hand-in of a task in the same rooms. The family ``room`` has ``world`` as its first room and rooms like it
-    as the others; ``own`` likewise the room of each hand-in.
+    as the others; ``own`` likewise the room of each hand-in. ``lesson`` judges each hand-in by the checks and in the
+    rooms of the lesson in which it was made; only ``task`` counts then.
     """
 
     task: int
-    family: Literal["obstacles", "maze", "pits", "room", "own"]
+    family: Literal["obstacles", "maze", "pits", "room", "own", "lesson"]
     rooms: Annotated[int, msgspec.Meta(ge=1, le=MAX_ROOMS)]
     seed: Annotated[int, msgspec.Meta(ge=0, lt=2**31)]
     # Of each run, simulated.
@@ -107,7 +108,8 @@ class CheckResult(msgspec.Struct):
     """
     How a hand-in did: in ``passed`` of ``rooms`` rooms it went well, and ``worst`` is the room in which it did worst.
     With a ``fault`` there are no outcomes; ``problems`` are those of a program that does not compile. ``checked`` is in
-    s since 1970; the family, the seed and the properties are those of the request.
+    s since 1970; the family, the seed and the properties are those of the request. ``unmet`` are the checks of the
+    lesson that did not pass, by language; a check by the lesson has no ``worst``.
     """
 
     checked: float
@@ -120,6 +122,7 @@ class CheckResult(msgspec.Struct):
     fault: Fault | None = None
     problems: list[Problem] = []
     worst: TestedRoom | None = None
+    unmet: list[dict[str, str]] = []
 
 
 class ResultShown(msgspec.Struct, tag="result", tag_field="op"):
@@ -127,7 +130,7 @@ class ResultShown(msgspec.Struct, tag="result", tag_field="op"):
 
     task: int
     pupil: int
-    result: msgspec.Raw
+    result: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": CheckResult | None})]
 
 
 class RoomsShown(msgspec.Struct, tag="rooms", tag_field="op"):

@@ -12,15 +12,17 @@ import msgspec
 from .nickname import Fault
 
 __all__ = [
+    "PING",
     "BadRequest",
     "Identifier",
     "Label",
     "LessonProgress",
     "PlaceInProgram",
+    "Pong",
     "ProjectText",
     "Refusal",
     "Refused",
-    "Shared",
+    "SharedKind",
     "Typed",
     "decoded",
     "encode",
@@ -38,10 +40,10 @@ Typed = Annotated[str, msgspec.Meta(max_length=300)]
 ProjectText = Annotated[str, msgspec.Meta(max_length=400_000)]
 """A project file: twice the characters of a program (``config.Limits.source``), for its layout and room."""
 
-Shared = Literal["program", "room", "lesson"]
+SharedKind = Literal["program", "room", "lesson"]
 """
 What a teacher sends. The text of a program is a project file, that of a room a world as JSON or the name of one of the
-gallery as a JSON string, that of a lesson its name.
+gallery as a JSON string, that of a lesson its name, or the lesson file of one of the teacher's own.
 """
 
 Refusal = (
@@ -53,6 +55,7 @@ Refusal = (
         "attempts",
         "taken",
         "full",
+        "joins",
         "request",
         "deadline",
         "tasks",
@@ -62,6 +65,8 @@ Refusal = (
         "busy",
         "away",
         "database",
+        "locked",
+        "removed",
     ]
     | Fault
 )
@@ -101,6 +106,14 @@ class PlaceInProgram(msgspec.Struct):
     piece: Annotated[str, msgspec.Meta(min_length=1, max_length=20_000)]
     start: Annotated[int, msgspec.Meta(ge=0, le=40_000)]
     end: Annotated[int, msgspec.Meta(ge=0, le=40_000)]
+
+
+PING = '{"op":"ping"}'
+"""A page that has received nothing for a while asks whether the service is there; the answer is ``Pong``."""
+
+
+class Pong(msgspec.Struct, tag="pong", tag_field="op"):
+    """The service is there."""
 
 
 class Refused(msgspec.Struct, tag="refused", tag_field="op"):

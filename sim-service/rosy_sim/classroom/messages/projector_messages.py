@@ -8,13 +8,15 @@ from typing import Any
 
 import msgspec
 
-from .message_fields import Typed, decoded
+from ...wire.page.runs import Frame
+from .message_fields import Refused, Typed, decoded
 
 __all__ = [
     "Invitation",
     "Project",
     "Projected",
     "Projecting",
+    "ProjectorAnswer",
     "RoomProjected",
     "UnlockProjector",
     "read_projector_request",
@@ -72,6 +74,8 @@ class RoomProjected(msgspec.Struct, tag="room", tag_field="op"):
 
     world: Any
 
+
+ProjectorAnswer = Projected | Invitation | RoomProjected | Frame | Refused
 
 _decoder: msgspec.json.Decoder[UnlockProjector] = msgspec.json.Decoder(UnlockProjector)
 

@@ -18,7 +18,7 @@ from .message_fields import (
     PlaceInProgram,
     ProjectText,
     Refused,
-    Shared,
+    SharedKind,
     Typed,
     decoded,
 )
@@ -27,6 +27,7 @@ from .shared_messages import Shared as ShareBegun
 
 __all__ = [
     "Attention",
+    "ClassNamed",
     "CommentDone",
     "Conflicting",
     "Enter",
@@ -45,9 +46,11 @@ __all__ = [
     "OwnTask",
     "OwnTasks",
     "ProgramName",
+    "Progress",
     "PupilAnswer",
     "PupilRequest",
     "Read",
+    "Renamed",
     "Resume",
     "Save",
     "SaveFailed",
@@ -131,6 +134,19 @@ class HandIn(msgspec.Struct, tag="hand-in", tag_field="op"):
     text: ProjectText
 
 
+LessonName = Annotated[str, msgspec.Meta(min_length=1, max_length=200)]
+"""Of a lesson of the service, or of a teacher's own, which has a space in it."""
+
+
+class Progress(msgspec.Struct, tag="progress", tag_field="op"):
+    """Steps of a lesson that are done, of ``steps``; those stored earlier stay done."""
+
+    lesson: LessonName
+    title: Label
+    steps: Annotated[int, msgspec.Meta(ge=0, le=100)]
+    done: Annotated[list[Identifier], msgspec.Meta(max_length=100)]
+
+
 class CommentDone(msgspec.Struct, tag="comment-done", tag_field="op"):
     """The pupil has dealt with a comment on an own program, or has not after all."""
 
@@ -149,6 +165,7 @@ PupilRequest = (
     | Status
     | Hand
     | HandIn
+    | Progress
     | CommentDone
     | Share
     | Decline
@@ -161,6 +178,15 @@ PupilRequest = (
 # Answers to a pupil's page
 
 
+class ClassNamed(msgspec.Struct, tag="class", tag_field="op"):
+    """
+    The first message of a connection: a public identifier of the class, with which a browser tells classes apart that
+    follow one another at the same address.
+    """
+
+    id: str
+
+
 class ProgramName(msgspec.Struct):
     """An own program and its newest version; ``at`` is in s since 1970."""
 
@@ -171,7 +197,10 @@ class ProgramName(msgspec.Struct):
 
 
 class Entered(msgspec.Struct, tag="entered", tag_field="op"):
-    """The pupil is in the class. ``token`` is new after ``join`` and ``resume``, else ``None``."""
+    """
+    The pupil is in the class. ``token`` is new after ``join`` and ``resume``, else ``None``. ``progress`` has the ids
+    of the steps that are done, by lesson.
+    """
 
     pupil: int
     nickname: str
@@ -179,6 +208,7 @@ class Entered(msgspec.Struct, tag="entered", tag_field="op"):
     token: str | None
     hand: bool
     programs: list[ProgramName]
+    progress: dict[str, list[str]] = {}
 
 
 class Stored(msgspec.Struct, tag="program", tag_field="op"):
@@ -229,9 +259,15 @@ class Handout(msgspec.Struct, tag="handout", tag_field="op"):
     """A program, a room or a lesson from the teacher."""
 
     id: str
-    what: Shared
+    what: SharedKind
     name: str
     text: str
+
+
+class Renamed(msgspec.Struct, tag="renamed", tag_field="op"):
+    """The teacher has given the pupil another nickname."""
+
+    nickname: str
 
 
 class Lowered(msgspec.Struct, tag="lowered", tag_field="op"):
@@ -288,7 +324,8 @@ class OwnComments(msgspec.Struct, tag="comments", tag_field="op"):
 
 
 PupilAnswer = (
-    Entered
+    ClassNamed
+    | Entered
     | Refused
     | Stored
     | Saved
@@ -296,6 +333,7 @@ PupilAnswer = (
     | SaveFailed
     | Attention
     | Handout
+    | Renamed
     | Lowered
     | OwnTasks
     | NotHandedIn

@@ -17,9 +17,10 @@ from ...sentences.sentence import tr
 from . import class_folder
 from .class_folder import check_name, new_admission
 from .class_store import ClassStore
-from .database import StoreAway, StoreError, StoreRefused
+from .database import DeletedClass, StoreAway, StoreError, StoreRefused
+from .retention import next_step
 
-__all__ = ["ClassPlace", "class_place"]
+__all__ = ["ClassPlace", "class_place", "remove_expired"]
 
 
 class ClassPlace(Protocol):
@@ -37,8 +38,39 @@ class ClassPlace(Protocol):
     def read(self, name: str) -> AbstractContextManager[ClassStore]:
         """Open a class to read it, also while a service has it open."""
 
-    def delete(self, name: str) -> None:
-        """Delete a class with everything in it."""
+    def delete(self, name: str, now: float) -> None:
+        """Put a class with everything in it among the deleted ones; ``now`` is in s since 1970."""
+
+    def deleted(self) -> list[DeletedClass]:
+        """The deleted classes that can be restored, the newest first."""
+
+    def restore(self, deleted: DeletedClass, name: str) -> None:
+        """Bring a deleted class back under a name that no class has."""
+
+    def announce_removal(self, deleted: DeletedClass, at: float | None) -> None:
+        """Store when the removal of a deleted class was announced, in s since 1970; ``None`` withdraws it."""
+
+    def remove(self, deleted: DeletedClass) -> None:
+        """Remove a deleted class for good."""
+
+
+def remove_expired(place: ClassPlace, now: float) -> None:
+    """
+    Take the next step of ``retention.py`` with each deleted class; ``now`` is in s since 1970.
+
+    Raises:
+        BadInput: the classes cannot be reached, or one cannot be removed.
+    """
+    for deleted in place.deleted():
+        match next_step(deleted.at, deleted.announced, now):
+            case "announce":
+                place.announce_removal(deleted, now)
+            case "withdraw":
+                place.announce_removal(deleted, None)
+            case "remove":
+                place.remove(deleted)
+            case "keep":
+                pass
 
 
 _SQLITE = "sqlite:"
@@ -65,8 +97,20 @@ class _Folder:
     def read(self, name: str) -> AbstractContextManager[ClassStore]:
         return class_folder.read_class(self.folder, name)
 
-    def delete(self, name: str) -> None:
-        class_folder.delete_class(self.folder, name)
+    def delete(self, name: str, now: float) -> None:
+        class_folder.delete_class(self.folder, name, now)
+
+    def deleted(self) -> list[DeletedClass]:
+        return class_folder.deleted_classes(self.folder)
+
+    def restore(self, deleted: DeletedClass, name: str) -> None:
+        class_folder.restore_class(self.folder, deleted, name)
+
+    def announce_removal(self, deleted: DeletedClass, at: float | None) -> None:
+        class_folder.announce_removal(self.folder, deleted, at)
+
+    def remove(self, deleted: DeletedClass) -> None:
+        class_folder.remove_deleted(self.folder, deleted)
 
 
 @dataclass(frozen=True, slots=True)
@@ -88,6 +132,8 @@ class _Server:
         with _as_bad_input():
             store = ClassStore(PostgresqlDatabase(self.url, name), new_admission(), time.time())
         try:
+            with _as_bad_input():
+                store.roster.purge(time.time())
             yield store
         finally:
             store.close()
@@ -105,11 +151,36 @@ class _Server:
         finally:
             store.close()
 
-    def delete(self, name: str) -> None:
+    def delete(self, name: str, now: float) -> None:
         from .postgresql_database import delete_class
 
         with _as_bad_input():
-            delete_class(self.url, name)
+            delete_class(self.url, name, now)
+
+    def deleted(self) -> list[DeletedClass]:
+        from .postgresql_database import deleted_classes
+
+        with _as_bad_input():
+            return deleted_classes(self.url)
+
+    def restore(self, deleted: DeletedClass, name: str) -> None:
+        from .postgresql_database import restore_class
+
+        check_name(name)
+        with _as_bad_input():
+            restore_class(self.url, deleted, name)
+
+    def announce_removal(self, deleted: DeletedClass, at: float | None) -> None:
+        from .postgresql_database import announce_removal
+
+        with _as_bad_input():
+            announce_removal(self.url, deleted, at)
+
+    def remove(self, deleted: DeletedClass) -> None:
+        from .postgresql_database import remove_deleted
+
+        with _as_bad_input():
+            remove_deleted(self.url, deleted)
 
 
 @contextmanager

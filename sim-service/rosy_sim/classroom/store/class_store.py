@@ -14,6 +14,8 @@ from typing import Literal
 
 from .comment_store import CommentStore
 from .database import Database
+from .progress_store import ProgressStore
+from .roster_store import NicknameTaken, Pupil, PupilRemoved, RosterStore, StoreFull
 from .schema import migrate
 from .task_store import TaskStore
 
@@ -23,6 +25,7 @@ __all__ = [
     "Conflict",
     "NicknameTaken",
     "Pupil",
+    "PupilRemoved",
     "Reason",
     "Saved",
     "StoreFull",
@@ -30,9 +33,6 @@ __all__ = [
 ]
 
 Reason = Literal["change", "run"]
-
-MAX_PUPILS = 400
-"""Pupils of a class: as many as there may be pages (``config.Limits.sessions``)."""
 
 MAX_VERSIONS = 300
 """Versions kept of one program; the oldest are removed first."""
@@ -51,15 +51,12 @@ class Admission:
     code: str
     teacher_key: str
 
-
-@dataclass(frozen=True, slots=True)
-class Pupil:
-    """A pupil; ``joined`` is in s since 1970."""
-
-    id: int
-    nickname: str
-    words: str
-    joined: float
+    def class_id(self) -> str:
+        """
+        A public identifier of the class. The key, which is too long to be guessed, cannot be found from it; the code
+        could be.
+        """
+        return hashlib.sha256(f"class {self.teacher_key}".encode()).hexdigest()[:16]
 
 
 @dataclass(frozen=True, slots=True)
@@ -89,16 +86,6 @@ class Conflict:
     latest: Version
 
 
-@dataclass(frozen=True, slots=True)
-class NicknameTaken:
-    """Another pupil of the class has this nickname."""
-
-
-@dataclass(frozen=True, slots=True)
-class StoreFull:
-    """There are as many pupils, or as many bytes of one pupil, as there may be."""
-
-
 _COLUMNS = "number, program, at, reason, mark, name, text"
 
 
@@ -119,14 +106,16 @@ class ClassStore:
             StoreError: the database cannot be read or written.
         """
         self._database = database
+        self.roster = RosterStore(database)
         self.tasks = TaskStore(database)
         self.comments = CommentStore(database)
+        self.progress = ProgressStore(database)
         try:
             migrate(database)
             with database.transaction():
                 if database.execute("SELECT count(*) FROM class").fetchone()[0] == 0:
                     admission = (new_admission.code, new_admission.teacher_key, now)
-                    database.execute("INSERT INTO class VALUES (?, ?, ?)", admission)
+                    database.execute("INSERT INTO class (code, teacher_key, created) VALUES (?, ?, ?)", admission)
         except BaseException:
             database.close()
             raise
@@ -156,8 +145,7 @@ class ClassStore:
 
     def pupils(self) -> list[Pupil]:
         """All pupils in the order in which they joined."""
-        rows = self._database.execute("SELECT id, nickname, words, joined FROM pupil ORDER BY id")
-        return [Pupil(*row) for row in rows]
+        return self.roster.pupils()
 
     # Pupils
 
@@ -166,31 +154,19 @@ class ClassStore:
     ) -> Pupil | NicknameTaken | StoreFull:
         """Add a pupil, who uses the device with this token. ``new_words`` is called until its answer is unused."""
         with self._database.transaction():
-            (count,) = self._database.execute("SELECT count(*) FROM pupil").fetchone()
-            if count >= MAX_PUPILS:
-                return StoreFull()
-            key = nickname.casefold()
-            if self._database.execute("SELECT 1 FROM pupil WHERE nickname_key = ?", (key,)).fetchone():
-                return NicknameTaken()
-            words = new_words()
-            while self._database.execute("SELECT 1 FROM pupil WHERE words = ?", (words,)).fetchone():
-                words = new_words()
-            (number,) = self._database.execute(
-                "INSERT INTO pupil (nickname, nickname_key, words, joined) VALUES (?, ?, ?, ?) RETURNING id",
-                (nickname, key, words, now),
-            ).fetchone()
-            pupil = Pupil(number, nickname, words, now)
-            self._add_device(pupil.id, token, now)
+            pupil = self.roster.insert(nickname, new_words, now)
+            if isinstance(pupil, Pupil):
+                self._add_device(pupil.id, token, now)
         return pupil
 
-    def resume(self, words: str, token: str, now: float) -> Pupil | None:
+    def resume(self, words: str, token: str, now: float) -> Pupil | PupilRemoved | None:
         """The pupil with these words, who uses the device with this token from now on."""
-        row = self._database.execute(
-            "SELECT id, nickname, words, joined FROM pupil WHERE words = ?", (words,)
-        ).fetchone()
+        row = self._database.execute("SELECT id FROM pupil WHERE words = ?", (words,)).fetchone()
         if row is None:
             return None
-        pupil = Pupil(*row)
+        pupil = self.roster.pupil(row[0])
+        if pupil is None:
+            return PupilRemoved()
         with self._database.transaction():
             self._add_device(pupil.id, token, now)
         return pupil
@@ -205,14 +181,13 @@ class ClassStore:
             (pupil, pupil, MAX_DEVICES),
         )
 
-    def pupil_of(self, token: str) -> Pupil | None:
+    def pupil_of(self, token: str) -> Pupil | PupilRemoved | None:
         """The pupil who uses the device with this token."""
-        row = self._database.execute(
-            "SELECT pupil.id, nickname, words, joined FROM pupil JOIN device ON device.pupil = pupil.id "
-            "WHERE token_hash = ?",
-            (_hash(token),),
-        ).fetchone()
-        return None if row is None else Pupil(*row)
+        row = self._database.execute("SELECT pupil FROM device WHERE token_hash = ?", (_hash(token),)).fetchone()
+        if row is None:
+            return None
+        pupil = self.roster.pupil(row[0])
+        return PupilRemoved() if pupil is None else pupil
 
     def forget_device(self, token: str) -> None:
         """The device with this token is let in no more."""

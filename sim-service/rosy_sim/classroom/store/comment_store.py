@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .database import Database
+from .roster_store import PRESENT
 
 __all__ = ["MAX_COMMENTS", "CommentKept", "CommentStore"]
 
@@ -41,8 +42,10 @@ class CommentStore:
         self._database = database
 
     def comments(self) -> list[CommentKept]:
-        """All comments, oldest first."""
-        rows = self._database.execute("SELECT id, pupil, program, at, text, place, done FROM comment ORDER BY id")
+        """All comments on programs of pupils who are in the class, oldest first."""
+        rows = self._database.execute(
+            f"SELECT id, pupil, program, at, text, place, done FROM comment WHERE {PRESENT} ORDER BY id"
+        )
         return [
             CommentKept(number, pupil, program, at, text, place, bool(done))
             for number, pupil, program, at, text, place, done in rows

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import sqlite3
 from collections.abc import Iterator, Sequence
-from contextlib import AbstractContextManager, contextmanager
+from contextlib import AbstractContextManager, closing, contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Literal, Protocol
@@ -17,9 +17,11 @@ from typing import Any, Literal, Protocol
 __all__ = [
     "ClassTaken",
     "Database",
+    "DeletedClass",
     "Rows",
     "SqliteDatabase",
     "StoreAway",
+    "StoreDamaged",
     "StoreError",
     "StoreFault",
     "StoreRefused",
@@ -29,6 +31,10 @@ __all__ = [
 
 class StoreError(Exception):
     """The disk is full or broken, or the database server cannot be reached; the transaction changed nothing."""
+
+
+class StoreDamaged(StoreError):
+    """The file of the database is not as it was written."""
 
 
 class StoreAway(StoreError):
@@ -43,6 +49,8 @@ class ClassTaken(StoreError):
     """While the server could not be reached another service has opened the class; this one must end."""
 
 
+_DAMAGED = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)
+
 StoreFault = Literal["disk", "database"]
 """Why nothing can be stored: the disk is full or broken, or the database server cannot be reached."""
 
@@ -50,6 +58,16 @@ StoreFault = Literal["disk", "database"]
 def fault_of(error: StoreError) -> StoreFault:
     """The fault that a client is told when its request failed with this error."""
     return "database" if isinstance(error, StoreAway) else "disk"
+
+
+@dataclass(frozen=True, slots=True)
+class DeletedClass:
+    """A class that was deleted, and can be restored. Times are in s since 1970."""
+
+    name: str
+    at: float
+    # When its removal was announced (``retention.py``).
+    announced: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,6 +149,27 @@ class SqliteDatabase:
             self.close()
             raise
 
+    def check(self) -> None:
+        """
+        See that the file is whole.
+
+        Raises:
+            StoreDamaged: it is not.
+        """
+        found = self.execute("PRAGMA quick_check(1)").fetchone()[0]
+        if found != "ok":
+            raise StoreDamaged(str(found))
+
+    def copy_to(self, path: Path) -> None:
+        """
+        Copy the database to a file.
+
+        Raises:
+            StoreError: the file cannot be written.
+        """
+        with _as_store_error(), closing(sqlite3.connect(path)) as copy:
+            self._connection.backup(copy)
+
     def execute(self, statement: str, values: Sequence[object] = ()) -> Rows:
         """``Database.execute``."""
         with _as_store_error():
@@ -176,4 +215,6 @@ def _as_store_error() -> Iterator[None]:
     try:
         yield
     except sqlite3.Error as error:
-        raise StoreError(str(error)) from error
+        # The last byte is the code without its extension. Errors of Python's own module have none.
+        code = getattr(error, "sqlite_errorcode", 0) & 0xFF
+        raise (StoreDamaged if code in _DAMAGED else StoreError)(str(error)) from error

@@ -27,9 +27,18 @@ from psycopg.pq import PGconn, Ping
 
 from ...errors import BadInput
 from ...sentences.sentence import tr
-from .database import ClassTaken, Rows, StoreAway, StoreError, StoreRefused
+from .class_folder import class_exists
+from .database import ClassTaken, DeletedClass, Rows, StoreAway, StoreError, StoreRefused
 
-__all__ = ["PostgresqlDatabase", "class_names", "delete_class"]
+__all__ = [
+    "PostgresqlDatabase",
+    "announce_removal",
+    "class_names",
+    "delete_class",
+    "deleted_classes",
+    "remove_deleted",
+    "restore_class",
+]
 
 _KEEPALIVES = {"tcp_keepalives_idle": 5, "tcp_keepalives_interval": 2, "tcp_keepalives_count": 3}
 """A machine that does not answer for 11 s has lost its classes, s and a count."""
@@ -237,9 +246,9 @@ def class_names(url: str) -> list[str]:
         return [row[0] for row in _run(connection, "SELECT name FROM public.rosy_class ORDER BY name")]
 
 
-def delete_class(url: str, name: str) -> None:
+def delete_class(url: str, name: str, now: float) -> None:
     """
-    Delete a class.
+    Move a class among the deleted ones: its schema stays, without a name; ``now`` is in s since 1970.
 
     Raises:
         BadInput: there is no such class, or it is in use.
@@ -253,8 +262,69 @@ def delete_class(url: str, name: str) -> None:
         if not _lock(connection, number, 0.0):
             raise _in_use(name)
         with connection.transaction():
-            _run(connection, f"DROP SCHEMA IF EXISTS class_{number} CASCADE")
-            connection.execute("DELETE FROM public.rosy_class WHERE name = %s", (name,))
+            _run(connection, "DELETE FROM public.rosy_class WHERE name = ?", (name,))
+            values = (number, name, now)
+            _run(connection, "INSERT INTO public.rosy_deleted_class (number, name, at) VALUES (?, ?, ?)", values)
+
+
+def deleted_classes(url: str) -> list[DeletedClass]:
+    """
+    The deleted classes that can be restored, the newest first.
+
+    Raises:
+        StoreError: the server cannot be reached.
+    """
+    with _as_store_error(), _connect(url) as connection:
+        _make_registry(connection)
+        rows = _run(connection, "SELECT name, at, announced FROM public.rosy_deleted_class ORDER BY at DESC")
+        return [DeletedClass(*row) for row in rows]
+
+
+def announce_removal(url: str, deleted: DeletedClass, at: float | None) -> None:
+    """
+    Store when the removal of a deleted class was announced, in s since 1970; ``None`` withdraws it.
+
+    Raises:
+        StoreError: the server cannot be reached.
+    """
+    with _as_store_error(), _connect(url) as connection:
+        statement = "UPDATE public.rosy_deleted_class SET announced = ? WHERE name = ? AND at = ?"
+        _run(connection, statement, (at, deleted.name, deleted.at))
+
+
+_TAKE_DELETED = "DELETE FROM public.rosy_deleted_class WHERE name = ? AND at = ? RETURNING number"
+
+
+def restore_class(url: str, deleted: DeletedClass, name: str) -> None:
+    """
+    Bring a deleted class back under a name.
+
+    Raises:
+        BadInput: a class has this name.
+        StoreError: the server cannot be reached.
+    """
+    with _as_store_error(), _connect(url) as connection:
+        _make_registry(connection)
+        with connection.transaction():
+            if _number(connection, name) is not None:
+                raise class_exists(name)
+            for (number,) in _run(connection, _TAKE_DELETED, (deleted.name, deleted.at)):
+                statement = "INSERT INTO public.rosy_class (number, name) OVERRIDING SYSTEM VALUE VALUES (?, ?)"
+                _run(connection, statement, (number, name))
+
+
+def remove_deleted(url: str, deleted: DeletedClass) -> None:
+    """
+    Remove a deleted class for good.
+
+    Raises:
+        StoreError: the server cannot be reached.
+    """
+    with _as_store_error(), _connect(url) as connection:
+        _make_registry(connection)
+        with connection.transaction():
+            for (number,) in _run(connection, _TAKE_DELETED, (deleted.name, deleted.at)):
+                _run(connection, f"DROP SCHEMA IF EXISTS class_{number} CASCADE")
 
 
 def _connect(url: str) -> psycopg.Connection:
@@ -280,6 +350,12 @@ def _make_registry(connection: psycopg.Connection) -> None:
         "CREATE TABLE IF NOT EXISTS public.rosy_class "
         "(number BIGINT GENERATED ALWAYS AS IDENTITY PRIMARY KEY, name TEXT NOT NULL UNIQUE)",
     )
+    _run(
+        connection,
+        "CREATE TABLE IF NOT EXISTS public.rosy_deleted_class "
+        "(number BIGINT PRIMARY KEY, name TEXT NOT NULL, at DOUBLE PRECISION NOT NULL)",
+    )
+    _run(connection, "ALTER TABLE public.rosy_deleted_class ADD COLUMN IF NOT EXISTS announced DOUBLE PRECISION")
 
 
 def _number(connection: psycopg.Connection, name: str) -> int | None:

@@ -93,6 +93,33 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         # All rooms of the result (`rooms_tried.py`); empty if there are none, or the check is older than this column.
         "ALTER TABLE hand_in ADD COLUMN rooms_tried BLOB NOT NULL DEFAULT x''",
     ),
+    (
+        # The lesson in which it was made (`lesson_checks.lesson_of`); empty for none.
+        "ALTER TABLE hand_in ADD COLUMN lesson TEXT NOT NULL DEFAULT ''",
+    ),
+    (
+        # `done` are the ids of the steps that are done, as JSON; `begun` when the first of them was stored.
+        """CREATE TABLE lesson_progress (
+            pupil INTEGER NOT NULL REFERENCES pupil (id) ON DELETE CASCADE,
+            lesson TEXT NOT NULL,
+            title TEXT NOT NULL,
+            steps INTEGER NOT NULL,
+            done BLOB NOT NULL,
+            begun REAL NOT NULL,
+            PRIMARY KEY (pupil, lesson)
+        )""",
+    ),
+    (
+        # 1 while no new pupils are let in.
+        "ALTER TABLE class ADD COLUMN locked INTEGER NOT NULL DEFAULT 0",
+        # `removed` is when the teacher removed the pupil; `merged_into` the entry that this one became a part of.
+        "ALTER TABLE pupil ADD COLUMN removed REAL",
+        "ALTER TABLE pupil ADD COLUMN merged_into INTEGER REFERENCES pupil (id) ON DELETE CASCADE",
+    ),
+    (
+        # When it was announced that a removed pupil is deleted (`retention.py`).
+        "ALTER TABLE pupil ADD COLUMN announced REAL",
+    ),
 )
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from .database import Database
+from .roster_store import PRESENT
 
 __all__ = ["MAX_TASKS", "HandIn", "HandInGraded", "HandInKept", "Task", "TaskStore"]
 
@@ -40,7 +41,7 @@ class HandIn:
     """
     The newest hand-in of a pupil for a task; ``name`` is the program's. An empty ``comment`` is none, an empty
     ``fingerprint`` (``program_fingerprint.py``) is like no other. ``result`` is JSON (``check_messages.CheckResult``),
-    empty if the hand-in was not checked.
+    empty if the hand-in was not checked. ``lesson`` is the lesson in which it was made, empty for none.
     """
 
     task: int
@@ -50,6 +51,7 @@ class HandIn:
     comment: str = ""
     fingerprint: str = ""
     result: bytes = b""
+    lesson: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,15 +116,17 @@ class TaskStore:
         with self._database.transaction():
             self._database.execute("UPDATE task SET check_settings = ? WHERE id = ?", (check, task))
 
-    def hand_in(self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "") -> None:
+    def hand_in(
+        self, task: int, pupil: int, name: str, text: str, now: float, fingerprint: str = "", lesson: str = ""
+    ) -> None:
         """Store a pupil's hand-in in place of an earlier one and its result. The comment stays."""
         with self._database.transaction():
             self._database.execute(
-                "INSERT INTO hand_in (task, pupil, at, name, text, fingerprint) VALUES (?, ?, ?, ?, ?, ?) "
+                "INSERT INTO hand_in (task, pupil, at, name, text, fingerprint, lesson) VALUES (?, ?, ?, ?, ?, ?, ?) "
                 "ON CONFLICT (task, pupil) DO UPDATE SET "
                 "at = excluded.at, name = excluded.name, text = excluded.text, fingerprint = excluded.fingerprint, "
-                "result = excluded.result, rooms_tried = excluded.rooms_tried",
-                (task, pupil, now, name, text, fingerprint),
+                "lesson = excluded.lesson, result = excluded.result, rooms_tried = excluded.rooms_tried",
+                (task, pupil, now, name, text, fingerprint, lesson),
             )
 
     def comment(self, task: int, pupil: int, text: str) -> None:
@@ -147,15 +151,17 @@ class TaskStore:
         return HandInGraded(*row) if row is not None and row[2] else None
 
     def hand_ins(self) -> list[HandIn]:
-        """All hand-ins without their texts, oldest first."""
+        """All hand-ins of pupils who are in the class, without their texts, oldest first."""
         rows = self._database.execute(
-            "SELECT task, pupil, at, name, comment, fingerprint, result FROM hand_in ORDER BY at"
+            "SELECT task, pupil, at, name, comment, fingerprint, result, lesson FROM hand_in "
+            f"WHERE {PRESENT} ORDER BY at"
         )
         return [HandIn(*row) for row in rows]
 
     def kept(self, task: int) -> list[HandInKept]:
-        """The hand-ins of a task with their texts, in the order in which the pupils joined the class."""
+        """The hand-ins of a task with their texts, in the order in which their pupils, who are in the class, joined."""
         rows = self._database.execute(
-            "SELECT pupil, at, name, text, comment, result FROM hand_in WHERE task = ? ORDER BY pupil", (task,)
+            f"SELECT pupil, at, name, text, comment, result FROM hand_in WHERE task = ? AND {PRESENT} ORDER BY pupil",
+            (task,),
         )
         return [HandInKept(*row) for row in rows]

@@ -20,6 +20,7 @@ __all__ = [
     "MAX_ANGULAR_ACCELERATION",
     "MAX_ANGULAR_SPEED",
     "MAX_SPEED",
+    "MAX_WHEEL_SPEED",
     "RADIUS",
     "SCANNER_BEAMS",
     "SCANNER_FARTHEST",
@@ -54,6 +55,9 @@ MAX_SPEED: float = _LIMITS["speed"]
 
 MAX_ANGULAR_SPEED: float = _LIMITS["turn"]
 """Top rotational speed, rad/s."""
+
+MAX_WHEEL_SPEED: float = _LIMITS["wheel"]
+"""Top speed of a wheel, m/s."""
 
 MAX_ACCELERATION: float = _BODY["acceleration"]
 """Change of speed in either direction, m/s²."""

@@ -34,21 +34,25 @@ def reduction_of(family: str, world: _Json) -> Reduction:
 
 
 class _ThingReduction:
-    """Leaves out walls, boxes, posts, pits and blocks."""
+    """Leaves out walls, boxes, posts, pits and blocks, but no unknown area, which would become floor."""
 
     def __init__(self, world: _Json) -> None:
         self._world = world
-        self._listed = [(key, i) for key in ("walls", "boxes", "rounds") for i in range(len(world.get(key, ())))]
+        self._listed = [
+            (key, i)
+            for key in ("walls", "boxes", "rounds")
+            for i, thing in enumerate(world.get(key, ()))
+            if not thing.get("unknown")
+        ]
         self._groups = inner_groups(world.get("tiles", ()))
         self.things = len(self._listed) + len(self._groups)
 
     def room(self, kept: frozenset[int]) -> _Json | None:
         world = dict(self._world)
+        left_out = {item for n, item in enumerate(self._listed) if n not in kept}
         for key in ("walls", "boxes", "rounds"):
             if key in world:
-                world[key] = [
-                    self._world[key][i] for n, (name, i) in enumerate(self._listed) if name == key and n in kept
-                ]
+                world[key] = [thing for i, thing in enumerate(self._world[key]) if (key, i) not in left_out]
         if self._groups:
             first = len(self._listed)
             world["tiles"] = with_groups(

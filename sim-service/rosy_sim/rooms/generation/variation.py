@@ -1,8 +1,8 @@
 """
 Variations of a room: mirrored, with its things, its start and the robot's heading moved a little.
 
-Goals and walls drawn as lines only take part in the mirroring: they say what the room is about. The result may be
-unfair; ``families`` looks at that.
+Goals, walls drawn as lines and unknown areas only take part in the mirroring: they say what the room is about. The
+result may be unfair; ``families`` looks at that.
 """
 
 from __future__ import annotations
@@ -36,9 +36,10 @@ def vary(dice: Dice, base: _Json, scale: float) -> _Json:
         _mirror(world, arena.width, "x")
     if dice.whole(0, 1):
         _mirror(world, arena.height, "y")
-    for thing in (*world.get("boxes", ()), *world.get("rounds", ())):
+    boxes = [box for box in world.get("boxes", ()) if not box.get("unknown")]
+    for thing in (*boxes, *world.get("rounds", ())):
         _shift(dice, thing, scale)
-    for box in world.get("boxes", ()):
+    for box in boxes:
         turn = dice.whole(-1, 1) * _TURN
         if scale and turn:
             box["theta"] = round(box.get("theta", 0.0) + turn, 4)

@@ -82,7 +82,9 @@ class VelocityGuard:
         """What the base is told when the program commands a velocity at ``time`` s."""
         settings = self._settings
         if settings.on:
-            linear, angular = _limited(settings.max_speed, linear), _limited(settings.max_turn, angular)
+            linear, angular = DEFAULT_ROBOT.limits.within_wheels(
+                _limited(settings.max_speed, linear), _limited(settings.max_turn, angular)
+            )
         self._latest = (linear, angular)
         if self._overrides_until is not None and time < self._overrides_until - _ROUNDING:
             return None

@@ -23,7 +23,7 @@ from websockets.frames import Frame
 from websockets.http11 import Request
 from websockets.protocol import State
 
-from ...token_bucket import TokenBucket
+from ...token_bucket import Share, TokenBucket
 
 __all__ = ["WRITE", "FrameBudgets", "PacedFrames", "paced_frames"]
 
@@ -35,6 +35,9 @@ _PIECE = 4096
 
 _RATE, _BURST = 0.1, 0.05
 """Share of the loop for the frames of one address, and s at once. A message of a page takes some 10 µs."""
+
+_FLOODS = 0.2
+"""Share of the loop for the frames of all addresses that have used up their own."""
 
 _ITERATION = 0.002
 """Computing time of all connections in one iteration of the loop, s, after which the others wait for the next one."""
@@ -48,8 +51,11 @@ _FINAL_TEXT = 0x81
 _SHORTEST = 0.001
 """Wait for the share of an address, s."""
 
-_UNREADABLE, _TOO_BIG = 0.1, 1009
-"""S until the next look at a client that does not read its answers; close code, RFC 6455, section 7.4.1."""
+_UNREADABLE = 0.1
+"""Until the next look at a client that does not read its answers, s."""
+
+_NO_TEXT, _TOO_BIG = 1007, 1009
+"""Close codes. RFC 6455, section 7.4.1."""
 
 
 def _text_header(size: int) -> bytes:
@@ -64,6 +70,14 @@ def _text_header(size: int) -> bytes:
     return bytes((_FINAL_TEXT, 127)) + size.to_bytes(8, "big")
 
 
+def _is_utf8(data: bytes) -> bool:
+    try:
+        data.decode()
+    except UnicodeDecodeError:
+        return False
+    return True
+
+
 class FrameBudgets:
     """
     Computing time for reading frames, by client address.
@@ -74,9 +88,10 @@ class FrameBudgets:
 
     def __init__(self, computed: Callable[[], float] = time.thread_time) -> None:
         self.computed = computed
-        self._buckets: dict[str, TokenBucket] = {}
+        self._buckets: dict[str, Share] = {}
         # When the bucket of an address is full again, on the loop's clock.
         self._full: dict[str, float] = {}
+        self._floods = TokenBucket(_FLOODS, _BURST, 0.0)
         # Computing time in this iteration of the loop, s.
         self._spent = 0.0
 
@@ -101,7 +116,7 @@ class FrameBudgets:
             # Those that are full again are as good as unknown.
             for other in [other for other, full in self._full.items() if full <= now]:
                 del self._buckets[other], self._full[other]
-            bucket = self._buckets[address] = TokenBucket(_RATE, _BURST, now)
+            bucket = self._buckets[address] = Share(TokenBucket(_RATE, _BURST, now), self._floods)
         wait = bucket.overdraw(spent, now)
         self._full[address] = now + wait + _BURST / _RATE
         return wait
@@ -175,6 +190,15 @@ class PacedFrames(WebSocketsSansIOProtocol):
         if len(self.frames) > _FRAGMENTS:
             self.conn.fail(_TOO_BIG)
             self.handle_parser_exception()
+
+    def send_receive_event_to_app(self) -> None:
+        """As in uvicorn, which logs a traceback for a text that is not UTF-8."""
+        if self.curr_msg_data_type == "text" and not _is_utf8(b"".join(self.frames)):
+            self.frames = []
+            self.conn.fail(_NO_TEXT)
+            self.handle_parser_exception()
+        else:
+            super().send_receive_event_to_app()
 
     @property
     def _is_behind(self) -> bool:

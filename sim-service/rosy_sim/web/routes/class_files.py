@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from starlette.background import BackgroundTask
 from starlette.requests import Request
 from starlette.responses import RedirectResponse, Response, StreamingResponse
@@ -13,6 +15,9 @@ from ...sentences.sentence import tr
 from .http_failure import failure
 
 __all__ = ["ClassFiles"]
+
+_NUMBER = re.compile(r"[0-9]{1,9}")
+"""Of a task; Starlette's own reader of numbers fails on one that is too long."""
 
 
 class ClassFiles:
@@ -26,7 +31,7 @@ class ClassFiles:
         return [
             Route("/board", _board),
             Route("/projector", _projector),
-            Route("/api/hand-ins/{task:int}", self._hand_ins),
+            Route("/api/hand-ins/{task}", self._hand_ins),
             Route("/api/class-backup", self._backup),
         ]
 
@@ -34,7 +39,8 @@ class ClassFiles:
         """What was handed in for a task, as a ZIP file."""
         if refused := self._refusal(request):
             return refused
-        found = await self._classroom.hand_ins_zip(request.path_params["task"])
+        task = request.path_params["task"]
+        found = await self._classroom.hand_ins_zip(int(task)) if _NUMBER.fullmatch(task) else None
         if found is None:
             return failure(tr("There is no such task."), 404)
         return Response(found, media_type="application/zip", headers={"Cache-Control": "no-store"})

@@ -14,12 +14,13 @@ from typing import Any
 
 import msgspec
 
+from ...accounting.client import SERVICE
+from ...accounting.fair_queue import FairQueue
 from ...config import Limits
 from ...errors import BadInput, RosyError
+from ...programs.program_file import read_program
 from ...robots import DEFAULT_ROBOT
 from ...run.headless_run import RunOutput, RunSettings, run_over_link
-from ...run.program_file import read_program
-from ...run.run_queue import RunQueue
 from ...sentences.sentence import tr
 from ...wire.worker import Started
 from ...worker.supervisor import RunningProgram, WorkerSupervisor
@@ -57,7 +58,7 @@ class PathRecorder:
 class ExamplePaths:
     """Runs examples in the worker of the service, within its run queue."""
 
-    def __init__(self, folder: Path, worker: WorkerSupervisor, queue: RunQueue, limits: Limits) -> None:
+    def __init__(self, folder: Path, worker: WorkerSupervisor, queue: FairQueue, limits: Limits) -> None:
         self._folder = folder
         self._worker = worker
         self._queue = queue
@@ -90,7 +91,7 @@ class ExamplePaths:
             return found
 
     async def _drive(self, source: str, world: World) -> list[tuple[float, float]]:
-        await self._queue.acquire(lambda _: None)
+        place = await self._queue.acquire(SERVICE)
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         program: RunningProgram | None = None
         recorder = PathRecorder()
@@ -98,7 +99,7 @@ class ExamplePaths:
             try:
                 async with asyncio.timeout(self._limits.worker_ready + self._limits.compile):
                     program = await self._worker.start(source, theirs)
-                    program.gone.add_done_callback(lambda _: self._queue.release())
+                    program.gone.add_done_callback(lambda _: place.release())
                     answer = await asyncio.shield(program.started)
                 if not isinstance(answer, Started):
                     raise BadInput(tr("The example does not compile."))
@@ -108,7 +109,7 @@ class ExamplePaths:
                 raise RosyError(tr("The example did not start in time.")) from error
             finally:
                 if program is None:
-                    self._queue.release()
+                    place.release()
                 else:
                     self._worker.kill(program)
         return recorder.points

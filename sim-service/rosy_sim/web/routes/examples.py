@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from ...text_lines import text_lines
+
 __all__ = ["example_file", "examples"]
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,63}")
@@ -49,7 +51,7 @@ def _readme(path: Path) -> tuple[str, str]:
     except (OSError, UnicodeDecodeError):
         return "", ""
     title, teaches = "", []
-    for line in text.splitlines():
+    for line in text_lines(text):
         if line.startswith("# ") and not title:
             title = line[2:].strip()
         elif line.strip():

@@ -11,8 +11,11 @@ from starlette.requests import ClientDisconnect, Request
 from starlette.responses import JSONResponse, Response
 from starlette.routing import BaseRoute, Route
 
+from ...accounting.resources import UPLOAD_SECONDS
+from ...accounting.slots import Slots
 from ...sentences.sentence import tr
 from ..page_origins import PageOrigins
+from ..sessions.page_recordings import UploadedFile
 from ..sessions.page_session import PageSession
 from .http_failure import failure
 
@@ -25,11 +28,19 @@ _NAME_LENGTH = 80
 
 
 class RecordingUpload:
-    """Takes the files; ``sessions`` are the page sessions by their random names."""
+    """
+    Takes the files.
 
-    def __init__(self, sessions: Mapping[str, PageSession], origins: PageOrigins) -> None:
+    Args:
+        sessions: the page sessions by their random names.
+        origins: whose pages may send one.
+        space: bytes of all files that are kept at once.
+    """
+
+    def __init__(self, sessions: Mapping[str, PageSession], origins: PageOrigins, space: Slots) -> None:
         self._sessions = sessions
         self._origins = origins
+        self._space = space
 
     def routes(self) -> list[BaseRoute]:
         """Below ``/api``."""
@@ -39,30 +50,51 @@ class RecordingUpload:
         session = self._sessions.get(request.path_params["session"])
         if session is None or not self._origins.admit(request):
             return failure(tr("The page is not connected."), 404)
-        return await _take(request, session)
+        return await _take(request, session, self._space)
 
 
-async def _take(request: Request, session: PageSession) -> Response:
+async def _take(request: Request, session: PageSession, space: Slots) -> Response:
     """Take a file from the page of a session; the query has its ``name``."""
     name = request.query_params.get("name", "")[:_NAME_LENGTH]
     # Unbuffered: what is written is there for the process that reads it.
-    file = cast(BinaryIO, tempfile.TemporaryFile(buffering=0))  # noqa: SIM115
+    file = UploadedFile(
+        cast(BinaryIO, tempfile.TemporaryFile(buffering=0)),  # noqa: SIM115
+        space,
+        session.client.name,
+    )
+    refused = await _write(request, session, file, name)
+    if refused is not None:
+        file.close()
+        return refused
+    session.recordings.receive(file, name)
+    return JSONResponse({})
+
+
+async def _write(request: Request, session: PageSession, file: UploadedFile, name: str) -> Response | None:
+    """Write the body of the request; the failure if it cannot be kept."""
     try:
-        size = 0
-        async for piece in request.stream():
-            size += len(piece)
-            if size > MOST_BYTES:
-                file.close()
-                return failure(tr("{path} is too large for a recording of a run.", path=name), 413)
-            await asyncio.to_thread(file.write, piece)
-    except (ClientDisconnect, asyncio.CancelledError):
+        async with asyncio.timeout(UPLOAD_SECONDS):
+            async for piece in request.stream():
+                if file.size + len(piece) > MOST_BYTES:
+                    return failure(tr("{path} is too large for a recording of a run.", path=name), 413)
+                if not file.reserve(len(piece)):
+                    return failure(
+                        tr(
+                            "There is no room for {path} now: uploaded recordings take all of it. "
+                            "Close a page that has one, or try again later.",
+                            path=name,
+                        ),
+                        507,
+                    )
+                await asyncio.to_thread(file.file.write, piece)
+                if session.closed.is_set():
+                    break
+    except (ClientDisconnect, TimeoutError):
+        # One that has disconnected does not read the answer.
+        return failure(tr("{path} did not arrive in time. Send it again.", path=name), 408)
+    except asyncio.CancelledError:
         file.close()
         raise
     except OSError as error:
-        file.close()
         return failure(tr("{path} cannot be written: {why}.", path=name, why=error.strerror or ""), 500)
-    if session.closed.is_set():
-        file.close()
-        return failure(tr("The page is not connected."), 404)
-    session.recordings.receive(file, name)
-    return JSONResponse({})
+    return failure(tr("The page is not connected."), 404) if session.closed.is_set() else None

@@ -6,12 +6,13 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Callable
+from collections.abc import Awaitable, Callable
 
+from ...accounting.client import Client
 from ...errors import RosyError
 from ...previews.preview import PreviewTask
 from ...previews.preview_pool import PreviewPool
-from ...run.problems import worker_lost
+from ...run.problems import worker_problem
 from ...token_bucket import TokenBucket
 from ...wire import page
 
@@ -24,8 +25,18 @@ _BUDGET_RATE, _BUDGET_BURST = 0.5, 10.0
 class PagePreviews:
     """Of one page; ``send`` puts a message into its outbox."""
 
-    def __init__(self, pool: PreviewPool, send: Callable[[page.Previewed], None], now: Callable[[], float]) -> None:
+    def __init__(
+        self,
+        pool: PreviewPool,
+        client: Client,
+        send: Callable[[page.Previewed], None],
+        now: Callable[[], float],
+        wait_ready: Callable[[], Awaitable[None]],
+    ) -> None:
         self._pool = pool
+        # A preview has a worker of its own, which cannot start where that of the service cannot.
+        self._wait_ready = wait_ready
+        self._client = client
         self._send = send
         self._now = now
         self._budget = TokenBucket(_BUDGET_RATE, _BUDGET_BURST, now())
@@ -57,9 +68,10 @@ class PagePreviews:
     async def _answer(self, task: PreviewTask) -> None:
         await asyncio.sleep(max(0.0, self._next - self._now()))
         try:
-            self._send(await self._pool.run(task, self._spend))
-        except RosyError:
-            self._send(page.Previewed(task.id, "error", 0.0, (0.0, 0.0, 0.0), [], [], [], [worker_lost()]))
+            await self._wait_ready()
+            self._send(await self._pool.run(task, self._client, self._spend))
+        except RosyError as error:
+            self._send(page.Previewed(task.id, "error", 0.0, (0.0, 0.0, 0.0), [], [], [], [worker_problem(error)]))
 
     def _spend(self, seconds: float) -> None:
         now = self._now()

@@ -10,16 +10,48 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import BinaryIO
 
+from ...accounting.slots import Slots
 from ...errors import BadInput
 from ...recordings.recorded_run import RecordedRun
 from ...recordings.recording_stream import RecordingStream, open_stream
 from ...sentences.sentence import Sentence, tr
 from ...wire import page
 
-__all__ = ["PageRecordings"]
+__all__ = ["PageRecordings", "UploadedFile"]
 
 _MOST_RUNS = 20
 """Runs whose recordings can be opened by their number; a page keeps as many."""
+
+
+class UploadedFile:
+    """
+    An uploaded file without a name, and the bytes of it that count for a client; close() removes both.
+
+    Args:
+        file: open and empty.
+        space: bytes of all uploaded files.
+        client: whom they are charged to.
+    """
+
+    def __init__(self, file: BinaryIO, space: Slots, client: str) -> None:
+        self.file = file
+        self.size = 0
+        self._space = space
+        self._client = client
+
+    def reserve(self, size: int) -> bool:
+        """Make room for so many more bytes; returns whether there was."""
+        if not self._space.take(self._client, size):
+            return False
+        self.size += size
+        return True
+
+    def close(self) -> None:
+        """Remove the file."""
+        self.file.close()
+        if self.size:
+            self._space.free(self._client, self.size)
+            self.size = 0
 
 
 class PageRecordings:
@@ -29,7 +61,7 @@ class PageRecordings:
         self._send = send
         self._made: dict[int, Path] = {}
         # The file that the page uploaded last, and its name there.
-        self._sent: tuple[BinaryIO, str] | None = None
+        self._sent: tuple[UploadedFile, str] | None = None
         self._opening: asyncio.Task[None] | None = None
 
     def add(self, run: int, path: Path) -> None:
@@ -39,7 +71,7 @@ class PageRecordings:
             del self._made[oldest]
         self._send(page.RunRecorded(run, str(path)))
 
-    def receive(self, file: BinaryIO, name: str) -> None:
+    def receive(self, file: UploadedFile, name: str) -> None:
         """Keep an uploaded file in place of the one before, which is closed."""
         self._forget_sent()
         self._sent = file, name
@@ -87,7 +119,7 @@ class PageRecordings:
                 raise BadInput(tr("The recording has not arrived. Open it again."))
             file, name = self._sent
             # Another file description: a process that reads the file still has a place of its own in it.
-            return files.enter_context(Path(f"/proc/self/fd/{file.fileno()}").open("rb")), name
+            return files.enter_context(Path(f"/proc/self/fd/{file.file.fileno()}").open("rb")), name
         path = self._made.get(request.of)
         if path is None:
             raise BadInput(tr("The recording of this run is not known any more. Open its file."))

@@ -13,8 +13,11 @@ from dataclasses import replace
 
 import msgspec
 
+from ...accounting.client import Client
 from ...errors import BadInput
+from ...ownership.heartbeats import Heartbeats
 from ...ownership.robot_ownership import RobotOwnership
+from ...ownership.robot_process import RobotProcess
 from ...ownership.robot_registry import RobotRegistry
 from ...previews.preview_pool import PreviewPool
 from ...run.steps.velocity_guard import SafetySettings
@@ -50,22 +53,28 @@ class PageSession:
     ) -> None:
         self.id = ident
         self._turns = turns
-        # The client's.
-        self._address = address
+        # Whose budget this page uses.
+        self.client = Client(address, ident)
+        self._budgets = services.budgets
+        services = replace(services, client=self.client)
         self._limits = services.limits
         self.outbox = Outbox(self._limits.page_queue)
         self._preparation = PagePreparation(prepared)
         self._runs = runs = PageRuns(services, self._preparation, self.outbox)
         self.simulator = runs.simulator
         self.recordings = runs.recordings
-        self._checks = ProgramChecks(services.worker, services.scheduler, self.outbox, runs.on_checked, address)
-        self._previews = PagePreviews(previews, self.outbox.put, asyncio.get_running_loop().time)
+        self._checks = ProgramChecks(
+            services.worker, services.budgets.questions, self.client, self.outbox, runs.on_checked
+        )
+        now = asyncio.get_running_loop().time
+        self._previews = PagePreviews(previews, self.client, self.outbox.put, now, services.worker.wait_ready)
         # The real robot that this page owns, if any.
         self.ownership = RobotOwnership(ident, robots, self._limits, self.outbox.put, runs.view, runs.safety)
+        self._heartbeats = Heartbeats()
         # Set by close(): nothing may start any more.
         self.closed = asyncio.Event()
         self.outbox.put(page.Hello(session=self.id, in_class=True if in_class else msgspec.UNSET))
-        self.outbox.put(page.WorkerState(services.worker.state))
+        self.outbox.put(page.worker_state(services.worker.state, services.worker.fault))
         runs.view.show_room(self.simulator.room)
         self.ownership.send_robots()
 
@@ -152,7 +161,7 @@ class PageSession:
             case page.Why() | page.WhyNot():
                 self._runs.answer(request)
             case page.Unlock():
-                self.ownership.unlock(request.code, self._address)
+                self.ownership.unlock(request.code, self.client.address)
             case page.Take():
                 self._end_now()
                 self.ownership.acquire(request)
@@ -176,7 +185,14 @@ class PageSession:
             case page.Free():
                 robot.free()
             case page.Alive():
-                robot.alive()
+                self._confirm_alive(robot, request.seen)
+
+    def _confirm_alive(self, robot: RobotProcess, seen: int) -> None:
+        """Pass a page's heartbeat on, with the time of the answer that the page had seen; ask for the next one."""
+        time = self._heartbeats.time_of(seen)
+        if time is not None:
+            robot.alive(time)
+        self.outbox.put(page.Seen(self._heartbeats.next()))
 
     def _switch_safety(self, on: bool) -> None:
         safety = self._runs.safety
@@ -230,3 +246,5 @@ class PageSession:
         await self._runs.close()
         await self.ownership.close()
         self._runs.free()
+        for queue in self._budgets.queues:
+            queue.leave(self.client)

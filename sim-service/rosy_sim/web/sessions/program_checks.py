@@ -1,26 +1,30 @@
 """
 Checks and completions that a page asks for while its program is edited.
 
-A newer question replaces an older one of the same kind, in the worker as well. Pages take turns
-(``worker/question_scheduler.py``).
+A newer question replaces an older one of the same kind, in the worker as well. Clients take turns
+(``accounting/fair_queue.py``); one whose place is needed for another client is asked again.
 """
 
 from __future__ import annotations
 
 import asyncio
 import contextlib
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
+from typing import Any, TypeVar
 
 import msgspec
 
+from ...accounting.client import Client
+from ...accounting.fair_queue import FairQueue
 from ...errors import RosyError, WorkerLost
 from ...sentences.sentence import sentence_of, tr
 from ...wire import page
-from ...worker.question_scheduler import QuestionScheduler
 from ...worker.supervisor import WorkerSupervisor
 from .outbox import Outbox
 
 __all__ = ["ProgramChecks"]
+
+_Answer = TypeVar("_Answer")
 
 
 class ProgramChecks:
@@ -29,19 +33,18 @@ class ProgramChecks:
     def __init__(
         self,
         worker: WorkerSupervisor,
-        scheduler: QuestionScheduler,
+        questions: FairQueue,
+        client: Client,
         outbox: Outbox,
         on_checked: Callable[[str, page.Checked], None],
-        address: str,
     ) -> None:
         self._worker = worker
-        self._scheduler = scheduler
-        self._address = address
+        self._questions = questions
+        self._client = client
         self._on_checked = on_checked
         self._outbox = outbox
         self._check: asyncio.Task[None] | None = None
         self._completion: asyncio.Task[None] | None = None
-        scheduler.join(self, address)
 
     def check(self, request: page.Check) -> None:
         """Answer with problems, declarations and types."""
@@ -62,14 +65,12 @@ class ProgramChecks:
                 task.cancel()
                 with contextlib.suppress(asyncio.CancelledError):
                     await task
-        self._scheduler.leave(self, self._address)
 
     async def _answer_check(self, request: page.Check) -> None:
         try:
             # A page is not penalised for a worker that starts.
             await self._worker.wait_ready()
-            async with self._scheduler.turn(self):
-                checked = await self._worker.check(request.source)
+            checked = await self._ask(lambda: self._worker.check(request.source))
         except WorkerLost:
             # The page is told that the worker restarts, and asks again.
             return
@@ -85,6 +86,21 @@ class ProgramChecks:
         with contextlib.suppress(RosyError, TimeoutError):
             # A page is not penalised for a worker that starts.
             await self._worker.wait_ready()
-            async with self._scheduler.turn(self):
-                completed = await self._worker.complete(request.source, request.line, request.column)
+            completed = await self._ask(lambda: self._worker.complete(request.source, request.line, request.column))
             self._outbox.put(msgspec.structs.replace(completed, id=request.id))
+
+    async def _ask(self, question: Callable[[], Coroutine[Any, Any, _Answer]]) -> _Answer:
+        """Ask in a place of the client; begin again when the place was needed."""
+        while True:
+            needed = asyncio.Event()
+            async with self._questions.place(self._client, needed.set):
+                asking, preemption = asyncio.create_task(question()), asyncio.create_task(needed.wait())
+                try:
+                    await asyncio.wait((asking, preemption), return_when=asyncio.FIRST_COMPLETED)
+                    if asking.done():
+                        return asking.result()
+                finally:
+                    preemption.cancel()
+                    asking.cancel()
+                    # The worker is told of the cancellation.
+                    await asyncio.wait((asking,))

@@ -19,7 +19,7 @@ from ...explain.answers import (
     why_not_branch,
     why_position,
 )
-from ...explain.function_types import function_types
+from ...explain.function_types import function_types, with_synonyms, written_memories
 from ...explain.recorded_run import RecordedRun
 from ...explain.recorded_step import StepContent, ToldContent, commands_of_step
 from ...explain.untaken_branch import branch_at
@@ -106,7 +106,8 @@ class RunExplanations:
                 self._placements = placements
             self._record(
                 step / STEPS_PER_SECOND,
-                ToldContent(bytes(done.firings), done.sensed, lockstep.commands),
+                # A copy: commands that arrive after the step are appended to the same list.
+                ToldContent(bytes(done.firings), done.sensed, list(lockstep.commands)),
                 is_overridden=lockstep.is_overridden,
                 is_placed=placements != self._placements,
             )
@@ -180,7 +181,10 @@ class RunExplanations:
         else:
             answer = _why(run, request, about)
         path = [page.firing_shown(firing, run.time_of(firing)) for firing in answer.path] if run is not None else []
-        sentences = [page.SentenceShown(link.said, link.time, link.firing) for link in answer.links]
+        memories = written_memories(about.graph) if about.graph is not None else {}
+        sentences = [
+            page.SentenceShown(with_synonyms(link.said, memories), link.time, link.firing) for link in answer.links
+        ]
         self._send(page.Because(request.id, answer.time, sentences, path))
 
     def _about(self, run: int | None) -> _Explained:

@@ -10,18 +10,20 @@ from collections.abc import AsyncIterator, Callable, Coroutine
 from typing import Any
 
 import msgspec
-from starlette.status import WS_1013_TRY_AGAIN_LATER
+from starlette.status import WS_1000_NORMAL_CLOSURE, WS_1008_POLICY_VIOLATION, WS_1013_TRY_AGAIN_LATER
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from ...accounting.client import network_of
+from ...accounting.resources import LOCKED_SECONDS
+from ...accounting.slots import Evictions, Slots
 from ...classroom.classroom import Classroom
 from ...classroom.messages.board_messages import ProgramShown
-from ...classroom.messages.message_fields import BadRequest, Refused, encode
+from ...classroom.messages.message_fields import PING, BadRequest, Pong, Refused, encode
 from ...token_bucket import TokenBucket
 from ..pacing.loop_scheduler import LoopScheduler, PageTurns
-from .address_slots import AddressSlots
 from .first_completed import first_completed
 
-__all__ = ["ClassConnection", "connected"]
+__all__ = ["ClassConnection", "connected", "locked"]
 
 _RATE, _BURST = 20.0, 400.0
 """Messages that a page may send, a second and at once."""
@@ -46,6 +48,9 @@ class ClassConnection:
         self._overflowed = asyncio.Event()
         # Set when the page has given the teacher's key.
         self._unlocked = asyncio.Event()
+        self.on_unlocked: Callable[[], None] = lambda: None
+        # Set to end the connection.
+        self.ended = asyncio.Event()
         # The task whose results a board shows.
         self.results_of: int | None = None
         # The program that a board opened last, as it was told.
@@ -78,6 +83,7 @@ class ClassConnection:
         admitted = classroom.authenticator.admits_teacher(key, self.address)
         if admitted:
             self._unlocked.set()
+            self.on_unlocked()
             return True
         self.put(Refused("attempts" if admitted is None else "key"))
         return False
@@ -89,10 +95,14 @@ class ClassConnection:
     ) -> None:
         """Serve requests until the page disconnects or stops reading; ``watch`` begins with the teacher's key."""
         works = [] if watch is None else [self._watch(watch)]
-        await first_completed(self._receive(serve), self._send(), self._overflowed.wait(), *works)
+        await first_completed(self._receive(serve), self._send(), self._overflowed.wait(), self.ended.wait(), *works)
 
     async def _watch(self, watch: Callable[[ClassConnection], Coroutine[Any, Any, None]]) -> None:
-        await self._unlocked.wait()
+        try:
+            async with asyncio.timeout(LOCKED_SECONDS):
+                await self._unlocked.wait()
+        except TimeoutError:
+            return
         await watch(self)
 
     async def _receive(self, serve: Callable[[str | bytes], Coroutine[Any, Any, None]]) -> None:
@@ -105,7 +115,10 @@ class ClassConnection:
                 return
             text = message.get("text") or message.get("bytes") or ""
             try:
-                await self._turns.serve(serve(text), len(text))
+                if text == PING:
+                    self.put(Pong())
+                else:
+                    await self._turns.serve(serve(text), len(text))
             except BadRequest:
                 self.put(Refused("request"))
             if wait := limit.overdraw(1 + len(text) / _CHARACTERS_PER_MESSAGE, now()):
@@ -119,17 +132,32 @@ class ClassConnection:
 
 
 @contextlib.asynccontextmanager
-async def connected(
-    socket: WebSocket, scheduler: LoopScheduler, slots: AddressSlots
-) -> AsyncIterator[ClassConnection | None]:
+async def connected(socket: WebSocket, scheduler: LoopScheduler, slots: Slots) -> AsyncIterator[ClassConnection | None]:
     """Accept a socket, with a slot of its address; ``None`` when there is none left: the socket is closed then."""
     await socket.accept()
     connection = ClassConnection(socket, scheduler)
-    if not slots.take(connection.address):
+    if not slots.take(network_of(connection.address)):
         await socket.close(WS_1013_TRY_AGAIN_LATER)
         yield None
         return
     try:
         yield connection
     finally:
-        slots.free(connection.address)
+        slots.free(network_of(connection.address))
+
+
+@contextlib.asynccontextmanager
+async def locked(socket: WebSocket, scheduler: LoopScheduler, slots: Evictions) -> AsyncIterator[ClassConnection]:
+    """Accept a socket that is told nothing before it has given the key; until then it has one of these slots."""
+    await socket.accept()
+    connection = ClassConnection(socket, scheduler)
+    end = connection.ended.set
+    slots.take(network_of(connection.address), end)
+    connection.on_unlocked = lambda: slots.free(end)
+    try:
+        yield connection
+    finally:
+        slots.free(end)
+        with contextlib.suppress(WebSocketDisconnect, RuntimeError):
+            # The page may have closed it.
+            await socket.close(WS_1008_POLICY_VIOLATION if not connection.is_unlocked else WS_1000_NORMAL_CLOSURE)

@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import asyncio
 import logging
-from collections.abc import Mapping
+import time
+from collections.abc import Callable, Mapping
 
 import msgspec
 from starlette.websockets import WebSocket
 
-from ...classroom.classroom import Classroom, PupilPage
+from ...accounting.resources import Budgets
+from ...classroom.class_roster import PupilPage
+from ...classroom.classroom import Classroom
 from ...classroom.hand_in_checks import HandInChecks
 from ...classroom.messages import board_messages as b
 from ...classroom.messages import pupil_messages as p
@@ -36,24 +39,32 @@ from ...sentences.sentence import tr
 from ...sentences.wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
-from .address_slots import AddressSlots
-from .class_connection import ClassConnection, connected
+from .class_connection import ClassConnection, connected, locked
 
-__all__ = ["ClassSockets"]
+__all__ = ["SUSPENDED_FROM", "ClassSockets"]
 
 _log = logging.getLogger(__name__)
-
-_MAX_PAGES, _ADDRESS_PAGES = 500, 250
-"""Pupils' pages, of all addresses and of one."""
-
-_MAX_BOARDS, _ADDRESS_BOARDS = 100, 10
-"""Boards with and without the key, of all addresses and of one."""
 
 _PLACES_PERIOD = 0.1
 """Between two looks at the robots for the board, s."""
 
 _LOOKS_PER_LIST = 10
 """Looks at the robots for each look at the list of pupils: the list is compared once a second."""
+
+
+SUSPENDED_FROM = 5.0
+"""
+A pause between two looks, s, after which the service counts as suspended: longer than those of a busy machine, and
+shorter than the 6 s of silence after which a page may say that it has no connection (``class_socket.ts``).
+"""
+
+_SUSPENSION_PERIOD = 0.5
+"""Between two looks at the clock, s."""
+
+
+def _boot_time() -> float:
+    """Seconds since the machine was started; they go on while it sleeps, and no correction of the date changes them."""
+    return time.clock_gettime(time.CLOCK_BOOTTIME)
 
 
 class ClassSockets:
@@ -65,6 +76,8 @@ class ClassSockets:
         checks: the checks of hand-ins.
         sessions: the page sessions by their random names.
         scheduler: of the event loop.
+        budgets: have the slots of connections.
+        clock: in s, going on while the machine sleeps.
     """
 
     def __init__(
@@ -73,20 +86,36 @@ class ClassSockets:
         checks: HandInChecks,
         sessions: Mapping[str, PageSession],
         scheduler: LoopScheduler,
+        budgets: Budgets,
+        clock: Callable[[], float] = _boot_time,
     ) -> None:
+        self.clock = clock
         self._scheduler = scheduler
         self._classroom = classroom
         self._checks = checks
         self._sessions = sessions
-        self._pages = AddressSlots(_MAX_PAGES, _ADDRESS_PAGES)
-        self._boards = AddressSlots(_MAX_BOARDS, _ADDRESS_BOARDS)
+        self._budgets = budgets
+
+    async def watch_suspension(self) -> None:
+        """
+        Notice, until it is cancelled, that the service was suspended.
+
+        It does not depend on a board: a board's connection may be lost in the same moment in which the service goes on.
+        """
+        looked_at = self.clock()
+        while True:
+            await asyncio.sleep(_SUSPENSION_PERIOD)
+            before, looked_at = looked_at, self.clock()
+            if looked_at - before >= SUSPENDED_FROM:
+                self._classroom.suspended = b.Suspended(time.time(), looked_at - before)
 
     async def serve_pupil(self, socket: WebSocket) -> None:
         """Serve a pupil's page until it disconnects."""
-        async with connected(socket, self._scheduler, self._pages) as connection:
+        async with connected(socket, self._scheduler, self._budgets.class_pages) as connection:
             if connection is None:
                 return
             page = PupilPage(connection.address, connection.put)
+            connection.put(p.ClassNamed(self._classroom.admission.class_id()))
 
             async def serve(text: str | bytes) -> None:
                 try:
@@ -96,6 +125,9 @@ class ClassSockets:
                         self._classroom.sharing.page_unreadable(page.pupil.id, page)
                     raise
                 await self._classroom.serve(page, request)
+                session = self._sessions.get(page.session or "")
+                if session is not None:
+                    session.client.pupil = page.pupil.id if page.pupil is not None else None
 
             try:
                 await connection.complete(serve)
@@ -104,9 +136,7 @@ class ClassSockets:
 
     async def serve_board(self, socket: WebSocket) -> None:
         """Serve a board until it disconnects; it is told nothing before it has given the key."""
-        async with connected(socket, self._scheduler, self._boards) as connection:
-            if connection is None:
-                return
+        async with locked(socket, self._scheduler, self._budgets.locked) as connection:
 
             async def serve(text: str | bytes) -> None:
                 try:
@@ -143,6 +173,21 @@ class ClassSockets:
                 connection.put(connection.followed)
             case b.SetAttention():
                 self._classroom.set_attention(request.message)
+            case b.AddPupils():
+                connection.put(await self._classroom.roster.add(request))
+            case b.RenamePupil():
+                if refused := await self._classroom.roster.rename(request):
+                    connection.put(refused)
+            case b.RemovePupils():
+                await self._classroom.roster.remove(request.pupils)
+            case b.RestorePupil():
+                if refused := await self._classroom.roster.restore(request.pupil):
+                    connection.put(refused)
+            case b.MergePupils():
+                if refused := await self._classroom.roster.merge(request):
+                    connection.put(refused)
+            case b.LockDoor():
+                await self._classroom.roster.lock_door(request.locked)
             case b.LowerHand():
                 self._classroom.lower_hand(request.pupil)
             case b.Send():
@@ -192,14 +237,21 @@ class ClassSockets:
         places: dict[int, b.Place] = {}
         shown: b.PupilsShown | None = None
         tasks: b.BoardTasks | None = None
+        lessons: b.LessonsShown | None = None
+        door = b.DoorShown(False, [])
         comments: b.CommentsShown | None = None
         looked: tuple[b.ProgramShown | None, float | None] = (None, None)
         projecting = Projecting(None, False, False)
         checking = Checking()
         results: dict[tuple[int, int], bytes] = {}
         store_fault: StoreFault | None = None
+        suspended: b.Suspended | None = None
         looks = 0
         while True:
+            if self._classroom.suspended != suspended:
+                suspended = self._classroom.suspended
+                if suspended is not None:
+                    connection.put(suspended)
             if looks % _LOOKS_PER_LIST == 0:
                 if (fault := self._classroom.store_fault()) != store_fault:
                     store_fault = fault
@@ -208,9 +260,15 @@ class ClassSockets:
                 if pupils != shown:
                     shown = pupils
                     connection.put(pupils)
+                if (seen := self._classroom.roster.door_shown()) != door:
+                    door = seen
+                    connection.put(door)
                 if (newest := self._classroom.tasks.shown()) != tasks:
                     tasks = newest
                     connection.put(newest)
+                if (progressed := self._classroom.lessons_shown()) != lessons:
+                    lessons = progressed
+                    connection.put(progressed)
                 if (pupil := connection.comments_of) is not None:
                     commented = b.CommentsShown(pupil, self._classroom.comments.of_pupil(pupil))
                     if commented != comments:

@@ -11,12 +11,12 @@ from typing import Any
 
 import msgspec
 
+from ...accounting.fair_queue import FairQueue
 from ...config import Config
 from ...errors import BadInput
 from ...lessons.background_rehearsals import rehearse_in_background
 from ...lessons.lesson_watch import CheckedStep, examine_step
 from ...lessons.rehearsal_process import Rehearsed, RehearsedAttempt
-from ...run.run_queue import RunQueue
 from ...sentences.sentence import tr
 from ...wire.page.lesson_rehearsals import AttemptJudged, RehearsalRequest, read_request
 from ...worlds.gallery import usable_arena
@@ -32,12 +32,12 @@ _Rehearsal = tuple[Any, list[RehearsedAttempt]]
 class LessonRehearsals(PageJobs[_Rehearsal]):
     """Judges the attempts at the steps of one lesson."""
 
-    def __init__(self, config: Config, sessions: Mapping[str, PageSession], queue: RunQueue) -> None:
+    def __init__(self, config: Config, sessions: Mapping[str, PageSession], queue: FairQueue) -> None:
         too_long = tr("The attempts took too long. Try steps that are watched for a shorter time.")
         super().__init__(sessions, queue, too_long)
         self._config = config
 
-    async def read(self, text: str, _session: PageSession) -> _Rehearsal:
+    async def read(self, text: str | bytes, _session: PageSession) -> _Rehearsal:
         """The attempts in their room."""
         request = read_request(text)
         # A room with many things takes a while to build.

@@ -1,6 +1,6 @@
 """
 Background jobs of pages, each on a socket of its own: one at a time per page, few at a time in the service, within a
-budget of time.
+budget of time, which is shorter when a client waits that has no job.
 
 The processes of a job are apart from the service and from the worker of the runs, so live pages keep their pace. A job
 is cancelled when the page closes the socket, leaves, or has used up its budget.
@@ -18,8 +18,8 @@ import msgspec
 from starlette.status import WS_1008_POLICY_VIOLATION
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
+from ...accounting.fair_queue import FairQueue
 from ...rooms.background_trials import BUDGET
-from ...run.run_queue import RunQueue
 from ...sentences.sentence import Sentence, SentenceError, tr
 from ...wire.page.jobs import Queued, encode_answer, failed
 from ..sessions.page_session import PageSession
@@ -46,7 +46,7 @@ class PageJobs(ABC, Generic[_Job]):
         too_long: said when a job has used up its budget.
     """
 
-    def __init__(self, sessions: Mapping[str, PageSession], queue: RunQueue, too_long: Sentence) -> None:
+    def __init__(self, sessions: Mapping[str, PageSession], queue: FairQueue, too_long: Sentence) -> None:
         self._sessions = sessions
         self._queue = queue
         self._too_long = too_long
@@ -59,7 +59,7 @@ class PageJobs(ABC, Generic[_Job]):
         return bool(self._busy)
 
     @abstractmethod
-    async def read(self, text: str, session: PageSession) -> _Job:
+    async def read(self, text: str | bytes, session: PageSession) -> _Job:
         """
         The job that a page asks for.
 
@@ -84,15 +84,17 @@ class PageJobs(ABC, Generic[_Job]):
             return
         await socket.accept()
         with contextlib.suppress(RuntimeError, WebSocketDisconnect):
-            # The page may close it first.
-            text = await socket.receive_text()
+            message = await socket.receive()
+            if message["type"] == "websocket.disconnect":
+                return
+            text = message.get("text") or message.get("bytes") or ""
             if session.id in self._busy:
                 await socket.send_text(encode_answer(failed(tr("A test of this page is still running."))))
             else:
                 await self._serve(socket, session, text)
             await socket.close()
 
-    async def _serve(self, socket: WebSocket, session: PageSession, text: str) -> None:
+    async def _serve(self, socket: WebSocket, session: PageSession, text: str | bytes) -> None:
         """Work and send until the last message is sent, the socket is closed, or the page has left."""
         self._busy.add(session.id)
         answers: _Answers = asyncio.Queue()
@@ -104,16 +106,21 @@ class PageJobs(ABC, Generic[_Job]):
             await asyncio.gather(work, return_exceptions=True)
             self._busy.discard(session.id)
 
-    async def _complete(self, text: str, session: PageSession, answers: _Answers) -> None:
+    async def _complete(self, text: str | bytes, session: PageSession, answers: _Answers) -> None:
         say = answers.put_nowait
         try:
             job = await self.read(text, session)
-            await self._queue.acquire(lambda place: say(Queued(place)))
+            deadline = asyncio.timeout(None)
+            loop = asyncio.get_running_loop()
+            place = await self._queue.acquire(
+                session.client, lambda place: say(Queued(place)), lambda: deadline.reschedule(loop.time())
+            )
             try:
-                async with asyncio.timeout(BUDGET):
+                async with deadline:
+                    deadline.reschedule(loop.time() + BUDGET)
                     await self.work(job, say)
             finally:
-                self._queue.release()
+                place.release()
         except TimeoutError:
             say(failed(self._too_long))
         except SentenceError as error:

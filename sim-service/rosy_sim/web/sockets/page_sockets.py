@@ -13,14 +13,14 @@ from collections.abc import Callable
 from starlette.status import WS_1013_TRY_AGAIN_LATER
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
-from ...config import Limits
+from ...accounting.client import network_of
+from ...accounting.slots import Slots
 from ...run.problems import address_full, service_full
 from ...wire import page
 from ..pacing.loop_scheduler import LoopScheduler, PageTurns
 from ..pacing.paced_frames import WRITE
 from ..pacing.reading_pace import ReadingPace
 from ..sessions.page_session import PageSession
-from .address_slots import AddressSlots
 from .first_completed import first_completed
 
 __all__ = ["PageSockets"]
@@ -31,17 +31,17 @@ class PageSockets:
     The sockets of all pages.
 
     Args:
-        limits: how many there may be.
+        slots: how many there may be.
         scheduler: of the event loop.
         open_session: makes the session of a page: its random name, its turns and the address of its client.
     """
 
     def __init__(
-        self, limits: Limits, scheduler: LoopScheduler, open_session: Callable[[str, PageTurns, str], PageSession]
+        self, slots: Slots, scheduler: LoopScheduler, open_session: Callable[[str, PageTurns, str], PageSession]
     ) -> None:
         # By their random names.
         self.sessions: dict[str, PageSession] = {}
-        self._slots = AddressSlots(limits.sessions, limits.address_sessions)
+        self._slots = slots
         self._scheduler = scheduler
         self._open_session = open_session
 
@@ -52,7 +52,7 @@ class PageSockets:
         await socket.accept()
         async with turns.turn():
             session = None
-            if self._slots.take(address):
+            if self._slots.take(network_of(address)):
                 session = self._open_session(secrets.token_urlsafe(9), turns, address)
         if session is None:
             full = service_full(self._slots.total) if self._slots.is_full else address_full(self._slots.each)
@@ -66,7 +66,7 @@ class PageSockets:
             )
         finally:
             del self.sessions[session.id]
-            self._slots.free(address)
+            self._slots.free(network_of(address))
             await session.close()
 
 

@@ -13,6 +13,7 @@ from collections.abc import Mapping
 
 from starlette.websockets import WebSocket
 
+from ...accounting.slots import Evictions
 from ...classroom.classroom import Classroom
 from ...classroom.messages.message_fields import Refused
 from ...classroom.messages.projector_messages import Invitation, Projected, RoomProjected, read_projector_request
@@ -21,15 +22,11 @@ from ...sentences.sentence import tr
 from ...sentences.wording import in_terminal
 from ..pacing.loop_scheduler import LoopScheduler
 from ..sessions.page_session import PageSession
-from .address_slots import AddressSlots
-from .class_connection import ClassConnection, connected
+from .class_connection import ClassConnection, locked
 
 __all__ = ["ProjectorSockets"]
 
 _log = logging.getLogger(__name__)
-
-_MAX_PROJECTORS, _ADDRESS_PROJECTORS = 20, 10
-"""Projectors with and without the key, of all addresses and of one."""
 
 _PERIOD = 0.1
 """Between two looks at the robot, s."""
@@ -43,6 +40,7 @@ class ProjectorSockets:
         classroom: the class.
         sessions: the page sessions by their random names.
         scheduler: of the event loop.
+        slots: for those that have not given the key yet.
     """
 
     def __init__(
@@ -50,17 +48,16 @@ class ProjectorSockets:
         classroom: Classroom,
         sessions: Mapping[str, PageSession],
         scheduler: LoopScheduler,
+        slots: Evictions,
     ) -> None:
         self._scheduler = scheduler
         self._classroom = classroom
         self._sessions = sessions
-        self._slots = AddressSlots(_MAX_PROJECTORS, _ADDRESS_PROJECTORS)
+        self._slots = slots
 
     async def serve(self, socket: WebSocket) -> None:
         """Serve a projector until it disconnects."""
-        async with connected(socket, self._scheduler, self._slots) as connection:
-            if connection is None:
-                return
+        async with locked(socket, self._scheduler, self._slots) as connection:
 
             async def serve(text: str | bytes) -> None:
                 connection.unlock(self._classroom, read_projector_request(text).key)

@@ -8,12 +8,12 @@ import asyncio
 from collections.abc import Mapping
 from dataclasses import replace
 
+from ...accounting.fair_queue import FairQueue
 from ...config import Config
 from ...rooms.background_trials import try_in_background
 from ...rooms.generation.families import Family, family_like
 from ...rooms.room_test import Report, RoomTest, check_goals, worst_first
 from ...rooms.tested_room import tested_room
-from ...run.run_queue import RunQueue
 from ...sentences.sentence import tr
 from ...wire.page.room_tests import Progress, Reported, RoomTestRequest, SmallestRoom, read_test
 from ...world.properties import read_properties
@@ -29,11 +29,11 @@ _PROGRESS_INTERVAL = 0.1
 class RoomTests(PageJobs[tuple[str, RoomTest]]):
     """Tests a program in the rooms of a family."""
 
-    def __init__(self, config: Config, sessions: Mapping[str, PageSession], queue: RunQueue) -> None:
+    def __init__(self, config: Config, sessions: Mapping[str, PageSession], queue: FairQueue) -> None:
         super().__init__(sessions, queue, tr("The test took too long. Try fewer rooms."))
         self._config = config
 
-    async def read(self, text: str, session: PageSession) -> tuple[str, RoomTest]:
+    async def read(self, text: str | bytes, session: PageSession) -> tuple[str, RoomTest]:
         """The program, and the test with the safety rules of the page."""
         request = read_test(text)
         return request.source, replace(_room_test(request), safety=session.safety)

@@ -8,14 +8,15 @@ from __future__ import annotations
 import asyncio
 from collections.abc import Mapping
 
-from starlette.status import WS_1008_POLICY_VIOLATION
+from starlette.status import WS_1008_POLICY_VIOLATION, WS_1013_TRY_AGAIN_LATER
 from starlette.websockets import WebSocket, WebSocketDisconnect
 
 from ...token_bucket import TokenBucket
+from ...wire.ros.rosbridge import crowded
 from ..pacing.loop_scheduler import LoopScheduler, PageTurns
 from ..pacing.reading_pace import message_cost
 from ..sessions.page_session import PageSession
-from ..sessions.simulator.ros_bridge import RosClient
+from ..sessions.simulator.ros_bridge import MAX_CLIENTS, RosClient
 from ..sessions.simulator.simulated_robot import SimulatedRobot
 from .first_completed import first_completed
 
@@ -35,10 +36,14 @@ class RosSockets:
     async def serve(self, socket: WebSocket) -> None:
         """Serve one client until it or the page disconnects."""
         session = self._sessions.get(socket.path_params["session"])
-        if session is None or session.simulator.bridge.is_full:
+        if session is None:
             await socket.close(WS_1008_POLICY_VIOLATION)
             return
         await socket.accept()
+        if session.simulator.bridge.is_full:
+            # A client sees the reason only of a connection that was accepted.
+            await socket.close(WS_1013_TRY_AGAIN_LATER, crowded(MAX_CLIENTS))
+            return
         turns = PageTurns(self._scheduler, socket.client.host if socket.client is not None else "")
         robot = session.simulator
         client = robot.join()

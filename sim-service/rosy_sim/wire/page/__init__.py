@@ -15,7 +15,21 @@ from ..worker import Checked, Completed
 from .explanations import Because, BranchPlace, FiringShown, Observe, SentenceShown, Why, WhyNot, firing_shown
 from .programs import MAX_PREVIEW, Check, ChecksShown, ChooseLessonStep, Complete, PreparePreviews, Preview, Previewed
 from .recordings import Replay, ReplayBegun, RunRecorded
-from .robots import Alive, EmergencyStop, Free, Leave, RobotName, Robots, RobotState, Safety, SwitchSafety, Take, Unlock
+from .robots import (
+    Alive,
+    EmergencyStop,
+    Free,
+    Leave,
+    Nearby,
+    RobotName,
+    Robots,
+    RobotState,
+    Safety,
+    Seen,
+    SwitchSafety,
+    Take,
+    Unlock,
+)
 from .runs import (
     MAX_SPEED,
     MIN_SPEED,
@@ -38,7 +52,7 @@ from .runs import (
     Stop,
     Uncompared,
 )
-from .session import ChooseWorld, Hello, Refusal, Visibility, Visible, WorkerState, WorldShown, refusal
+from .session import ChooseWorld, Hello, Refusal, Visibility, Visible, WorkerState, WorldShown, refusal, worker_state
 
 __all__ = [
     "Alive",
@@ -65,6 +79,7 @@ __all__ = [
     "Hello",
     "Input",
     "Leave",
+    "Nearby",
     "Observe",
     "Pause",
     "PreparePreviews",
@@ -84,6 +99,7 @@ __all__ = [
     "RunState",
     "Safety",
     "Said",
+    "Seen",
     "SentenceShown",
     "SetSpeed",
     "SoundPlayed",
@@ -104,6 +120,7 @@ __all__ = [
     "firing_shown",
     "read_request",
     "refusal",
+    "worker_state",
 ]
 
 Request = (
@@ -184,6 +201,7 @@ Answer = (
     | RunRecorded
     | ReplayBegun
     | Safety
+    | Seen
     | Refusal
 )
 

@@ -6,16 +6,17 @@ The page sends one ``RehearsalRequest``; the service answers about each attempt.
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import msgspec
 from msgspec import Meta
 
 from ..problem import Problem
 from ..user_input import TimedInput
-from .jobs import decode_request
+from ..verdict import Verdict
+from .jobs import Failed, Queued, decode_request
 
-__all__ = ["AttemptAsked", "AttemptJudged", "RehearsalRequest", "read_request"]
+__all__ = ["AttemptAsked", "AttemptJudged", "RehearsalAnswer", "RehearsalRequest", "read_request"]
 
 _MAX_ATTEMPTS = 64
 """Of one request. A lesson has at most twelve steps."""
@@ -39,15 +40,17 @@ class RehearsalRequest(msgspec.Struct, tag="rehearse", tag_field="op", frozen=Tr
 class AttemptJudged(msgspec.Struct, tag="attempt", tag_field="op"):
     """
     How an attempt did; ``number`` is its place in the request, from 0. After the last one the service sends nothing
-    more. ``checks`` are verdicts, ``problems`` those of a program that was refused or failed.
+    more. ``problems`` are those of a program that was refused or failed.
     """
 
     number: int
-    ended: str
+    ended: Literal["time", "done", "error", "stuck", "refused"]
     passed: bool
-    checks: list[Any]
+    checks: list[Verdict]
     problems: list[Problem]
 
+
+RehearsalAnswer = Queued | AttemptJudged | Failed
 
 _decoder = msgspec.json.Decoder(RehearsalRequest)
 

@@ -7,6 +7,7 @@ from typing import Any, Literal
 import msgspec
 
 from ..problem import Problem
+from ..verdict import Verdict
 from .runs import Goal
 
 __all__ = ["MAX_PREVIEW", "Check", "ChecksShown", "ChooseLessonStep", "Complete", "Preview", "Previewed"]
@@ -75,4 +76,4 @@ class ChecksShown(msgspec.Struct, tag="checks", tag_field="op"):
     run: int | None
     passed: bool
     over: bool
-    checks: list[Any]
+    checks: list[Verdict]

@@ -13,10 +13,12 @@ __all__ = [
     "EmergencyStop",
     "Free",
     "Leave",
+    "Nearby",
     "RobotName",
     "RobotState",
     "Robots",
     "Safety",
+    "Seen",
     "SwitchSafety",
     "Take",
     "Unlock",
@@ -56,22 +58,48 @@ class SwitchSafety(msgspec.Struct, tag="safety", tag_field="op"):
 
 
 class Alive(msgspec.Struct, tag="alive", tag_field="op"):
-    """The page is visible and connected: without it the wheels stop."""
+    """
+    The page is visible and connected: without it the wheels stop. ``seen`` is the number of the latest ``seen`` that
+    the page got, so that a message that waited on its way does not count; 0 before the first.
+    """
+
+    seen: int = 0
 
 
-class RobotName(msgspec.Struct):
-    """A robot, the name of its owner, and whether that is this page."""
+class Seen(msgspec.Struct, tag="seen", tag_field="op"):
+    """The answer to each ``alive``: a number for the next one."""
+
+    number: int
+
+
+class Nearby(msgspec.Struct, omit_defaults=True):
+    """
+    A robot that was discovered: what it is, its domain of ROS 2, its battery, of which a robot reports the charge (%),
+    the voltage (V) or nothing, and whether it speaks Zenoh in place of DDS.
+    """
+
+    title: str
+    domain: int
+    charge: int | None = None
+    volts: float | None = None
+    zenoh: bool = False
+
+
+class RobotName(msgspec.Struct, omit_defaults=True):
+    """A robot, the name of its owner, and whether that is this page; ``nearby`` while it is discovered."""
 
     name: str
     holder: str | None
     yours: bool
+    nearby: Nearby | None = None
 
 
-class Robots(msgspec.Struct, tag="robots", tag_field="op"):
-    """The robots; none are listed while ``locked``."""
+class Robots(msgspec.Struct, tag="robots", tag_field="op", omit_defaults=True):
+    """The robots; none are listed while ``locked``. ``discovers`` is whether more of them may appear by themselves."""
 
     locked: bool
     robots: list[RobotName]
+    discovers: bool = False
 
 
 class RobotState(msgspec.Struct, tag="robot", tag_field="op", omit_defaults=True):

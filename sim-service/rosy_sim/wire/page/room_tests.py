@@ -13,9 +13,18 @@ import msgspec
 
 from ...sentences.sentence import tr
 from ..problem import Problem
-from .jobs import BadJob, decode_request
+from .jobs import BadJob, Failed, Queued, decode_request
 
-__all__ = ["FindingShown", "Progress", "Reported", "RoomTestRequest", "SmallestRoom", "TestedRoom", "read_test"]
+__all__ = [
+    "FindingShown",
+    "Progress",
+    "Reported",
+    "RoomTestAnswer",
+    "RoomTestRequest",
+    "SmallestRoom",
+    "TestedRoom",
+    "read_test",
+]
 
 MAX_ROOMS, MAX_SECONDS = 200, 120.0
 """Most rooms, and the longest run in each (s, simulated), that a page may ask for."""
@@ -84,6 +93,8 @@ class Reported(msgspec.Struct, tag="report", tag_field="op"):
     smallest: SmallestRoom | None
     problems: list[Problem]
 
+
+RoomTestAnswer = Queued | Progress | Reported | Failed
 
 _decoder = msgspec.json.Decoder(RoomTestRequest)
 

@@ -6,6 +6,7 @@ from typing import Any, Literal
 
 import msgspec
 
+from ...errors import WorkerFailed
 from ...sentences import sentence
 from ..problem import Sentences, sentences
 
@@ -19,6 +20,7 @@ __all__ = [
     "WorkerState",
     "WorldShown",
     "refusal",
+    "worker_state",
 ]
 
 PROTOCOL = 1
@@ -47,10 +49,22 @@ class Hello(msgspec.Struct, tag="hello", tag_field="op", kw_only=True, rename={"
     in_class: Literal[True] | msgspec.UnsetType = msgspec.UNSET
 
 
-class WorkerState(msgspec.Struct, tag="worker", tag_field="op"):
-    """Status of the worker."""
+class WorkerState(msgspec.Struct, tag="worker", tag_field="op", omit_defaults=True):
+    """Status of the worker; ``message`` says why one that has failed cannot start."""
 
-    state: Literal["starting", "ready", "restarting"]
+    state: Literal["starting", "ready", "restarting", "failed"]
+    message: str = ""
+    sentences: Sentences | None = None
+
+
+def worker_state(
+    state: Literal["starting", "ready", "restarting", "failed"], fault: sentence.Sentence | None
+) -> WorkerState:
+    """The status with the sentence for the learner, where ``fault`` is why no worker can be started."""
+    if fault is None:
+        return WorkerState(state)
+    said = WorkerFailed(fault).sentence
+    return WorkerState(state, str(said), sentences(said, None))
 
 
 class WorldShown(msgspec.Struct, tag="world", tag_field="op"):

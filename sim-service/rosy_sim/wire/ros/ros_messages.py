@@ -17,9 +17,19 @@ from functools import cache
 from typing import Any
 
 from ...robot_description import ROBOTS
+from ...text_lines import text_lines
 from ..channels import simulated_channels
 
-__all__ = ["Field", "completed", "definition_text", "fields_of", "message_fault", "serialized", "typedefs"]
+__all__ = [
+    "Field",
+    "completed",
+    "definition_fields",
+    "definition_text",
+    "fields_of",
+    "message_fault",
+    "serialized",
+    "typedefs",
+]
 
 _DEFINITIONS = ROBOTS.parent.parent / "rosy-hs" / "ros" / "msg"
 
@@ -48,8 +58,12 @@ def fields_of(kind: str) -> tuple[Field, ...] | None:
     text = _definition(kind)
     if text is None:
         return None
-    package = kind.partition("/")[0]
-    found = filter(None, map(_FIELD.fullmatch, map(str.strip, text.splitlines())))
+    return definition_fields(text, kind.partition("/")[0])
+
+
+def definition_fields(text: str, package: str) -> tuple[Field, ...]:
+    """The fields in a definition of a message of this package, in wire order."""
+    found = filter(None, map(_FIELD.fullmatch, map(str.strip, text_lines(text))))
     return tuple((_full(m[1], package), m[3], -1 if m[2] is None else int(m[2] or 0)) for m in found)
 
 

@@ -26,7 +26,7 @@ from .rosbridge_encodings import ENCODINGS, encode_publish, fragments, json_text
 from .rosbridge_fragments import FragmentBuffer
 from .rosbridge_services import Call, ClientServices
 
-__all__ = ["LATCHED", "MAX_SUBSCRIPTIONS", "Frame", "Reply", "RosbridgeClient", "RosbridgeGraph"]
+__all__ = ["LATCHED", "MAX_SUBSCRIPTIONS", "Frame", "Reply", "RosbridgeClient", "RosbridgeGraph", "crowded"]
 
 MAX_SUBSCRIPTIONS = 200
 """Of one client; more are ignored. The same for its calls without an answer yet, and for a session's own topics."""
@@ -96,6 +96,24 @@ class RosbridgeGraph:
     def __init__(self) -> None:
         self.graph = RosGraph()
         self.services: ClientServices[RosbridgeClient] = ClientServices(self.graph.offered, MAX_SUBSCRIPTIONS)
+        # The last message of each latched topic of clients.
+        self.latched: dict[str, Any] = {}
+        # The clients that publish or have subscribed to each topic of clients.
+        self._users: dict[str, set[int]] = {}
+
+    def use(self, topic: str, client: RosbridgeClient) -> None:
+        """A client publishes a topic that is none of the robot's, or has subscribed to it."""
+        if topic in self.graph.own_topics:
+            self._users.setdefault(topic, set()).add(id(client))
+
+    def release(self, topic: str, client: RosbridgeClient) -> None:
+        """A client no longer uses a topic; the topic ends with its last client, and may have another type later."""
+        users = self._users.get(topic, set())
+        users.discard(id(client))
+        if not users:
+            self._users.pop(topic, None)
+            self.graph.own_topics.pop(topic, None)
+            self.latched.pop(topic, None)
 
 
 class RosbridgeClient:
@@ -106,8 +124,9 @@ class RosbridgeClient:
         self._subscriptions: dict[str, _Subscription] = {}
         # Last message per latched topic; set by deliver().
         self._latched: dict[str, Any] = {}
-        # Topics of its own that the client publishes.
+        # Topics of its own that the client publishes, and those of them whose last message later subscribers get.
         self._advertised: set[str] = set()
+        self._latching: set[str] = set()
         self._fragments = FragmentBuffer()
         self._fragments_sent = 0
         self._level = 0
@@ -123,7 +142,7 @@ class RosbridgeClient:
         self._serve(text, now, reply)
         return reply
 
-    def _serve(self, text: str | bytes, now: float, reply: Reply) -> None:
+    def _serve(self, text: str | bytes, now: float, reply: Reply, assembled: bool = False) -> None:
         try:
             message = msgspec.json.decode(text)
         except (msgspec.DecodeError, UnicodeError, RecursionError) as error:
@@ -133,7 +152,10 @@ class RosbridgeClient:
             self._report(reply, None, "a message needs an op")
             return
         handler = _HANDLERS.get(message["op"])
-        if handler is None:
+        if assembled and message["op"] == "fragment":
+            # They would nest without end.
+            self._report(reply, message, "fragments do not make a fragment")
+        elif handler is None:
             self._report(reply, message, f"unknown op {message['op'][:50]!r}")
         else:
             handler(self, message, now, reply)
@@ -161,6 +183,8 @@ class RosbridgeClient:
         """The client has disconnected: its services end, and calls of them fail."""
         services = self._shared.services
         services.leave(self)
+        for topic in self.topics | self._advertised:
+            self._shared.release(topic, self)
         return Reply(
             forwards=self._failed(services.cancelled(), "The client that offered the service has disconnected")
         )
@@ -214,7 +238,7 @@ class RosbridgeClient:
         subscription = self._subscriptions.setdefault(topic, _Subscription())
         if sum(len(s.requests) for s in self._subscriptions.values()) >= MAX_SUBSCRIPTIONS:
             if not subscription.requests:
-                del self._subscriptions[topic]
+                self._end_subscription(topic)
             self._report(reply, message, "too many subscriptions")
             return
         throttle = _number(message.get("throttle_rate")) / 1000
@@ -222,8 +246,11 @@ class RosbridgeClient:
         ident = message.get("id")
         options = _Options(throttle, queue, encoding, _fragment_size(message))
         subscription.requests[ident if isinstance(ident, str) else None] = options
-        if absolute_name(topic) in self._latched:
-            reply.texts += self._send(topic, subscription, self._latched[absolute_name(topic)], now)
+        name = absolute_name(topic)
+        self._shared.use(name, self)
+        for latched in (self._latched, self._shared.latched):
+            if name in latched:
+                reply.texts += self._send(topic, subscription, latched[name], now)
 
     def _type_fault(self, topic: str, kind: Any) -> str | None:
         """Why a topic cannot have this type, or none; a topic that is new gets it."""
@@ -246,13 +273,21 @@ class RosbridgeClient:
         if not isinstance(topic, str) or topic not in self._subscriptions:
             return
         if ident is None:
-            del self._subscriptions[topic]
+            self._end_subscription(topic)
             return
         requests = self._subscriptions[topic].requests
         if isinstance(ident, str):
             requests.pop(ident, None)
         if not requests:
-            del self._subscriptions[topic]
+            self._end_subscription(topic)
+
+    def _end_subscription(self, topic: str) -> None:
+        del self._subscriptions[topic]
+        self._release(absolute_name(topic))
+
+    def _release(self, name: str) -> None:
+        if name not in self._advertised and name not in self.topics:
+            self._shared.release(name, self)
 
     def _advertise(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         topic = message.get("topic")
@@ -268,6 +303,9 @@ class RosbridgeClient:
             self._report(reply, message, why)
         elif name not in COMMAND_TOPICS:
             self._advertised.add(name)
+            self._shared.use(name, self)
+            if message.get("latch") is True:
+                self._latching.add(name)
 
     def _unadvertise(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         topic = message.get("topic")
@@ -275,6 +313,8 @@ class RosbridgeClient:
         if name not in self._advertised and name not in COMMAND_TOPICS:
             self._report(reply, message, f"{name} is not advertised", "warning")
         self._advertised.discard(name)
+        self._latching.discard(name)
+        self._release(name)
 
     def _publish(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         topic = message.get("topic")
@@ -292,6 +332,8 @@ class RosbridgeClient:
             if isinstance(read, TopicMessage) and read.topic not in self._advertised:
                 raise BadMessage(tr("{topic} is not advertised", topic=topic))
             reply.commands.append(read)
+            if isinstance(read, TopicMessage) and (message.get("latch") is True or name in self._latching):
+                self._shared.latched[name] = msg
             if isinstance(read, Command):
                 reply.commanded.append(TopicMessage(name, msg))
         except (BadMessage, msgspec.MsgspecError, TypeError) as error:
@@ -312,7 +354,7 @@ class RosbridgeClient:
         if why is not None:
             self._report(reply, message, why)
         elif whole is not None:
-            self._serve(whole, now, reply)
+            self._serve(whole, now, reply, assembled=True)
 
     def _call(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         service = message.get("service")
@@ -398,6 +440,11 @@ def _answer(call: Call[RosbridgeClient], values: Any, result: bool) -> list[Fram
         answer["id"] = call.ident
     text = json_text(answer | {"values": values, "result": result})
     return call.caller._fragmented(text, call.fragment, call.ident)
+
+
+def crowded(most: int) -> str:
+    """Why a client is not served: the robot has as many as it may."""
+    return f"this robot has {most} clients, which is the most"
 
 
 def _fragment_size(message: dict[str, Any]) -> int | None:

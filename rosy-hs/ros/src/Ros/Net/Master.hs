@@ -24,6 +24,8 @@ module Ros.Net.Master
     unsubscribeParam,
     getParamNames,
     allSubscribers,
+    topicTypes,
+    nodeAnswers,
     ask,
   )
 where
@@ -121,6 +123,21 @@ allSubscribers m = fmap listed <$> ask m "getSystemState" []
     listed v = case v of
       VArray [_, VArray topics, _] -> [(topic, [n | VString n <- nodes]) | VArray [VString topic, VArray nodes] <- topics]
       _ -> []
+
+-- | The type of every topic that the master knows.
+topicTypes :: Master -> IO (Either RpcError [(String, String)])
+topicTypes m = fmap listed <$> ask m "getTopicTypes" []
+  where
+    listed v = case v of
+      VArray topics -> [(topic, kind) | VArray [VString topic, VString kind] <- topics]
+      _ -> []
+
+-- | Whether a node of this name answers: the master keeps those that were killed.
+nodeAnswers :: Master -> String -> IO Bool
+nodeAnswers m name =
+  lookupNode m name >>= \case
+    Right (Just at) -> either (const False) (const True) <$> call at (Call "getPid" [VString (caller m)])
+    _ -> pure False
 
 self :: Master -> Value
 self = VString . showUri . callerUri

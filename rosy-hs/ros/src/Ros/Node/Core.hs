@@ -127,7 +127,9 @@ data Publication = Publication
     -- | the sequence number of the next message
     pubNext :: TVar Word32,
     pubOutlets :: TVar (Map.Map Int Outlet),
-    pubBound :: TVar Int
+    pubBound :: TVar Int,
+    -- | runs the exchange with a subscriber
+    pubAround :: Socket -> IO () -> IO ()
   }
 
 -- | A connection to one subscriber.

@@ -44,17 +44,19 @@ data PublisherOptions = PublisherOptions
   { -- | messages that may wait for a slow subscriber; then the oldest goes
     queueSize :: Int,
     -- | a new subscriber gets the last message at once
-    latched :: Bool
+    latched :: Bool,
+    -- | runs the exchange with each subscriber, on its socket
+    aroundSubscriber :: Socket -> IO () -> IO ()
   }
 
 -- | 1,000 messages, not latched: a burst of a second at 1 kHz is kept.
 publisherOptions :: PublisherOptions
-publisherOptions = PublisherOptions 1000 False
+publisherOptions = PublisherOptions 1000 False (const id)
 
 -- | Registers the topic with the master, once per node and topic.
 openPublication :: forall a. Message a => Core -> PublisherOptions -> String -> IO (Publisher a)
 openPublication core options topic = do
-  fresh <- Publication offer (latched options) <$> newTVarIO Nothing <*> newTVarIO 0 <*> newTVarIO Map.empty <*> newTVarIO (queueSize options)
+  fresh <- Publication offer (latched options) <$> newTVarIO Nothing <*> newTVarIO 0 <*> newTVarIO Map.empty <*> newTVarIO (queueSize options) <*> pure (aroundSubscriber options)
   (isNew, p) <- atomically $ do
     known <- readTVar (publications core)
     case Map.lookup topic known of
@@ -157,7 +159,7 @@ deliver core s p peer = do
   atomically $ do
     readTVar (pubLast p) >>= mapM_ (push (outletQueue outlet))
     modifyTVar' (pubOutlets p) (Map.insert n outlet)
-  (answer >> race_ (void writer) untilClosed) `finally` leave
+  (answer >> pubAround p s (race_ (void writer) untilClosed)) `finally` leave
 
 -- | All that was published has left this program.
 drained :: Core -> STM Bool

@@ -27,11 +27,11 @@ import Rosy.Worker.Sentence
 commonSyntaxErrors :: Text -> [Token] -> [Token] -> Position -> [Problem]
 commonSyntaxErrors source found current at =
   concat
-    [ [ problemAt (tokenSpan t) "comment" (tr "A comment begins with two dashes.") (tr "Write: -- and behind it what you want to say.")
+    [ [ problemAt (tokenSpan t) "comment" (tr "A comment begins with two dashes.") (tr "Write: -- and after it what you want to say.")
         | Just t <- [firstOnLine],
           any (`Text.isPrefixOf` word t) ["#", "//", "/*"]
       ],
-      [ problemAt (tokenSpan t) "indentation" (trWith "‘{word}’ stands at the left edge, where something new begins." ["word" =: word t]) (tr "Put spaces in front of it: it belongs to the line above.")
+      [ problemAt (tokenSpan t) "indentation" (trWith "‘{word}’ is at the left edge, where something new begins." ["word" =: word t]) (tr "Put spaces in front of it: it belongs to the line above.")
         | Just t <- [here],
           column (from t) == 1,
           word t `elem` ["where", "|", "then", "else", "of", "in", "=", "->"],
@@ -47,18 +47,18 @@ commonSyntaxErrors source found current at =
           word f `notElem` ["if", "case", "let", "do", "data", "newtype", "type", "class", "instance", "import", "module", "where", "deriving", "infixl", "infixr", "infix"],
           all (`notElem` words') ["=", "|", "::", "->", "<-", "if", "case", "let", "do", "$"]
       ],
-      [ problemAt (tokenSpan t) "guard" (tr "In front of ‘otherwise’ a bar is missing.") (tr "Write: | otherwise = …")
+      [ problemAt (tokenSpan t) "guard" (tr "A bar is missing in front of ‘otherwise’.") (tr "Write: | otherwise = …")
         | Just t <- [firstOnLine],
           word t == "otherwise",
           "|" `elem` words'
       ],
-      [ problemAt (tokenSpan t) "unit" (tr "A number stands without its unit.") (tr "Write: degreesToRadians 90, or degreesToOrientation 90.")
+      [ problemAt (tokenSpan t) "unit" (tr "A number is written without its unit.") (tr "Write: degreesToRadians 90, or degreesToOrientation 90")
         | t : _ <- [filter (("°" `Text.isPrefixOf`) . word) current]
       ],
-      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is two words in Haskell." ["word" =: word t]) (tr "Write: else if.")
+      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is two words in Haskell." ["word" =: word t]) (tr "Write: else if")
         | t : _ <- [filter ((`elem` ["elif", "elsif", "elseif"]) . word) onLine]
       ],
-      [ problemAt (tokenSpan t) "field-value" (tr "Between a field and its value stands an equals sign.") (trWith "Write: {code} = …" ["code" =: word f])
+      [ problemAt (tokenSpan t) "field-value" (tr "An equals sign goes between a field and its value.") (trWith "Write: {code} = …" ["code" =: word f])
         | given == Just ":",
           "{" `elem` words',
           take 1 words' `notElem` [["data"], ["newtype"]],
@@ -71,7 +71,7 @@ commonSyntaxErrors source found current at =
           "\\" `notElem` words',
           Just t <- [find ((== "case") . word) (reverse current)]
       ],
-      [ problemAt (tokenSpan t) "missing-arrow" (tr "Behind a backslash and its names comes an arrow.") (trWith "Write: \\{name} -> …" ["name" =: maybe "x" word name])
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "After a backslash and its names comes an arrow.") (trWith "Write: \\{name} -> …" ["name" =: maybe "x" word name])
         | given == Just "=",
           (names, slash : _) <- [break ((== "\\") . word) (reverse onLineBefore)],
           word slash == "\\",
@@ -102,7 +102,7 @@ commonSyntaxErrors source found current at =
           open (map word (takeWhile ((< from t) . from) onLineBefore)) > 0,
           all ((`notElem` ["=", "["]) . word) (takeWhile ((< from t) . from) onLineBefore)
       ],
-      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a type, arrows stand between the parts.") (tr "Write -> instead of the comma.")
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a type, arrows go between the parts.") (tr "Write -> instead of the comma.")
         | given == Just ",",
           "::" `elem` map word onLineBefore,
           all ((`notElem` ["->", "=", "("]) . word) onLineBefore,

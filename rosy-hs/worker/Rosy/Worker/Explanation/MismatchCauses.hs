@@ -20,13 +20,15 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.CompilerMessage
 import Rosy.Worker.Explanation.MessageText
-import Rosy.Worker.Explanation.RobotVocabulary (isNumber)
+import Rosy.Worker.Explanation.RobotTypes (commandTypes, typesOfPlaces, typesOfValues)
+import Rosy.Worker.Explanation.RobotVocabulary (addMissing, eventsWithPlaces, isNumber)
+import Rosy.Worker.Explanation.TextRepair (lineAfter)
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
 -- | The textual cause of a mismatch, if any. Takes the expected and the actual type.
 mismatchCause :: ProgramOutline -> CompilerMessage -> (Text -> Sentence -> Sentence -> Problem) -> Type -> Type -> Maybe Problem
-mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, minus, pairPattern, commas, unfinished, joined, ofMain, inPattern, tasks])
+mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, minus, pairPattern, commas, unfinished, joined, ofMain, partAlone, inPattern, tasks])
   where
     source = messageSpan raw >>= snippet (text outline)
     lineAt s = maybe "" snd (find ((== line (start s)) . fst) (zip [1 ..] (Text.splitOn "\n" (text outline))))
@@ -37,7 +39,7 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
 
     -- r.speed, where speed is a field.
     dotted =
-      [ (problem "operator" (tr "A value has no parts behind a dot.") (trWith "To take a field, write its name in front: {field} {owner}." ["field" =: field, "owner" =: owner])) {place = Just (Span (Position (line (start s)) from) (Position (line (start s)) upTo))}
+      [ (problem "operator" (tr "A value has no parts after a dot.") (trWith "To take a field, write its name in front: {field} {owner}" ["field" =: field, "owner" =: owner])) {place = Just (Span (Position (line (start s)) from) (Position (line (start s)) upTo))}
         | Just s <- [messageSpan raw],
           (owner, field, from, upTo) <- dots (lineAt s),
           from <= column (end s),
@@ -48,7 +50,7 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
 
     -- Velocity 0 -0.5, which GHC reads as a subtraction.
     minus =
-      [ (problem "negative-number" (tr "Here minus takes one thing from another.") (trWith "A negative number needs brackets: (-{number})." ["number" =: n])) {place = Just (Span (Position (line (start s)) i) (Position (line (start s)) (i + 1)))}
+      [ (problem "negative-number" (tr "Here minus takes one thing from another.") (trWith "A negative number needs brackets: (-{number})" ["number" =: n])) {place = Just (Span (Position (line (start s)) i) (Position (line (start s)) (i + 1)))}
         | isFunction given,
           not (isFunction needed),
           Just s <- [messageSpan raw],
@@ -61,7 +63,7 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
 
     -- drive (v, w) = …, where drive takes a Velocity.
     pairPattern =
-      [ problem "pattern" (trWith "This takes {a needed}, but the pattern is a pair." ["needed" =: needed]) (trWith "Write the pattern as ({code})." ["code" =: Text.unwords (needed : parts)])
+      [ problem "pattern" (trWith "This takes {a needed}, but the pattern is a pair." ["needed" =: needed]) (trWith "Write the pattern as ({code})" ["code" =: Text.unwords (needed : parts)])
         | isPattern,
           needed `elem` ["Velocity", "Position"],
           "(" `Text.isPrefixOf` given,
@@ -73,7 +75,7 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
 
     -- add(v, 0.5)
     commas =
-      [ problem "arguments-with-commas" (tr "Values stand behind a function without commas.") (trWith "Write: {code}." ["code" =: Text.unwords (f : map argument parts)])
+      [ problem "arguments-with-commas" (tr "Values follow a function without commas.") (trWith "Write: {code}" ["code" =: Text.unwords (f : map argument parts)])
         | "(" `Text.isPrefixOf` given,
           "," `Text.isInfixOf` given,
           not ("(" `Text.isPrefixOf` needed),
@@ -97,17 +99,17 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
           Just s <- [source],
           c : _ <- [drop 1 (Text.words (Text.filter (`notElem` ("()" :: String)) s))]
       ]
-    missing c rest = problem "missing-argument" (if length rest == 1 then trWith "‘{function}’ needs another value: {then types}." ["function" =: c, "types" =* rest] else trWith "‘{function}’ needs more values: {then types}." ["function" =: c, "types" =* rest]) (tr "Add what is missing.")
+    missing c rest = problem "missing-argument" (if length rest == 1 then trWith "‘{function}’ needs another value: {then types}." ["function" =: c, "types" =* rest] else trWith "‘{function}’ needs more values: {then types}." ["function" =: c, "types" =* rest]) (addMissing c)
     stripped t = fromMaybe t (Text.stripPrefix "(" t >>= Text.stripSuffix ")")
 
     joined =
-      [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: given]) (tr "To add numbers, write +.")
+      [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: given]) (tr "To add numbers, write +")
         | "[" `Text.isPrefixOf` needed || needed == "String",
           isNumber given,
           any (`Text.isInfixOf` (" " <> before <> behind)) ["++"],
           "++" `Text.isPrefixOf` Text.stripStart behind && not ("\"" `Text.isInfixOf` behind)
       ]
-        ++ [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: needed]) (tr "To add numbers, write +.")
+        ++ [ problem "operator" (trWith "‘++’ puts texts and lists together, but this is {a given}." ["given" =: needed]) (tr "To add numbers, write +")
              | isNumber needed,
                "[" `Text.isPrefixOf` given,
                Just s <- [source],
@@ -125,7 +127,7 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
     -- Before the equals sign or the arrow of a case.
     isPattern = not (any (`elem` ["=", "->", "<-", "|"]) (Text.words before)) && any (`elem` ["=", "->", "|", "<-"]) (Text.words behind)
     inPattern =
-      [ problem k m (trWith "Write the pattern as ({code})." ["code" =: c <> " " <> s'])
+      [ problem k m (trWith "Write the pattern as ({code})" ["code" =: c <> " " <> s'])
         | isPattern,
           (c, k, m) <- [("Memory", "missing-memory", trWith "This takes a whole Memory, but the pattern is that of {a given}." ["given" =: given]), ("Just", "missing-just", tr "The type says that this may be missing, but the pattern does not.")],
           headOf needed == (if c == "Just" then "Maybe" else c),
@@ -134,17 +136,32 @@ mismatchCause outline raw problem needed given = listToMaybe (concat [dotted, mi
           let s' = if Text.any isSpace s && not ("(" `Text.isPrefixOf` s) then "(" <> s <> ")" else s
       ]
 
+    -- f Pressed = …, where f takes a Bumper.
+    partAlone =
+      [ (problem "pattern" (trWith "‘{part}’ is only a part of a ‘{event}’." ["part" =: part, "event" =: needed]) (lineAfter [repair] (text outline) (start s))) {fixes = [Fix (trWith "Write {code}" ["code" =: whole]) [repair]]}
+        | isPattern,
+          needed `elem` eventsWithPlaces,
+          Just s <- [messageSpan raw],
+          Just part <- [Text.dropAround (`elem` ("( )" :: String)) <$> source],
+          Just whole <- [if given `elem` [needed <> "Side", needed <> "Number"] && part `elem` map fst typesOfPlaces then Just (needed <> " " <> part <> " _") else if lookup part typesOfValues == Just given && (given == needed <> "Status" || (needed, given) == ("Bumper", "ButtonStatus")) then Just (needed <> " _ " <> part) else Nothing],
+          let repair = Edit s (if "(" `Text.isSuffixOf` before && ")" `Text.isPrefixOf` behind then whole else "(" <> whole <> ")")
+      ]
+
     tasks
-      | isFunction given, isFunction needed, w : _ <- filter (`elem` ["when", "unless"]) (Text.words line'), "()" `elem` map (last . splitArrows) [given, needed] = [(problem "too-many-arguments" (trWith "‘{word}’ takes two things: a condition and a task." ["word" =: w]) (trWith "Put brackets around the task: {word} c (say \"yes\")." ["word" =: w])) {place = wordPlace w}]
-      | source == Just "say", isFunction needed, input : _ <- splitArrows needed, input /= "String" = [problem "type-mismatch" (trWith "‘say’ takes a text, but here it is given {a type}." ["type" =: input]) (tr "Turn it into a text first: say . show.")]
-      | headOf given == "Task", isFunction needed, last (splitArrows needed) `elem` ["res", "see"] = [problem "controller-needed" (tr "This is a task, but here is the place of a function that gives a command.") (tr "Write for example: \\_ -> Say \"done\".")]
-      | openEnded, given `elem` ["Velocity", "Led1", "Led2", "Sound", "Say"] = [problem "task-needed" (trWith "A task is needed here, but this is {a given}." ["given" =: given]) (maybe (tr "Turn a command into a task with once.") (\s -> trWith "Turn a command into a task with once: {code}." ["code" =: "once " <> argument s]) source)]
+      | isFunction given, isFunction needed, w : _ <- filter (`elem` ["when", "unless"]) (Text.words line'), "()" `elem` map (last . splitArrows) [given, needed] = [(problem "too-many-arguments" (trWith "‘{word}’ takes two things: a condition and a task." ["word" =: w]) (trWith "Put brackets around the task: {code}" ["code" =: whenWithBrackets w])) {place = wordPlace w}]
+      | source == Just "say", isFunction needed, input : _ <- splitArrows needed, input /= "String" = [problem "type-mismatch" (trWith "‘say’ takes a text, but here it is given {a type}." ["type" =: input]) (tr "Turn it into a text first: say . show")]
+      | headOf given == "Task", isFunction needed, last (splitArrows needed) `elem` ["res", "see"] = [problem "controller-needed" (tr "This is a task, but here is the place of a function that gives a command.") (tr "Write for example: \\_ -> Say \"done\"")]
+      | openEnded, given `elem` commandTypes = [problem "task-needed" (trWith "A task is needed here, but this is {a given}." ["given" =: given]) (maybe (tr "Turn a command into a task with once.") (\s -> trWith "Turn a command into a task with once: {code}" ["code" =: "once " <> argument s]) source)]
       | headOf needed /= "Task" = []
-      | given == "String" = [problem "task-needed" (tr "A task is needed here, but this is a text.") (maybe (tr "To show it, write say in front of it.") (\s -> trWith "To show it, write say in front of it: {code}." ["code" =: "say " <> s]) source)]
+      | given == "String" = [problem "task-needed" (tr "A task is needed here, but this is a text.") (maybe (tr "To show it, write say in front of it.") (\s -> trWith "To show it, write say in front of it: {code}" ["code" =: "say " <> s]) source)]
+      | "[Task" `Text.isPrefixOf` given, Just rest <- Text.stripPrefix "replicate " =<< source = [problem "task-needed" (tr "One task is needed here, but this is a list of them.") (trWith "To repeat a task, write: {code}" ["code" =: ("replicateM_ " <> rest)])]
       | "[Task" `Text.isPrefixOf` given = [problem "task-needed" (tr "One task is needed here, but this is a list of them.") (tr "Take them out of the list; sequence_ makes one task of a list, and replicateM_ does one several times.")]
       | given == "Call" = [problem "task-needed" (tr "A task is needed here, but this is a ‘Call’.") (tr "In a task, write the called task itself, without call.")]
       | otherwise = []
 
+    whenWithBrackets w = case Text.words (snd (Text.breakOn (w <> " ") line')) of
+      _ : c : rest@(_ : _) | not (Text.any (`elem` ("()$" :: String)) (Text.unwords (c : rest))) -> Text.unwords [w, c, "(" <> Text.unwords rest <> ")"]
+      _ -> w <> " c (say \"yes\")"
     -- f a, where nothing says more.
     openEnded = length (typeAtoms needed) == 2 && maybe False (isLower . fst) (Text.uncons (headOf needed)) && not (isFunction needed)
     line' = maybe "" lineAt (messageSpan raw)

@@ -31,8 +31,8 @@ originalNameHint n = case lookup n replacements of
     advice =
       [ ("Kobuki", tr "The robot is chosen where the program is started. Write: simulate f."),
         ("Turtlesim", tr "There is no turtle here: programs drive a Kobuki. Write: simulate f."),
-        ("taskOpts", tr "Write: taskWith taskOptions {starting = …, stopped = …} f."),
-        ("callOpts", tr "Write: callOptions {cancelOn = …, onFeedback = …, onEnd = …}."),
+        ("taskOpts", tr "Write: taskWith taskOptions {starting = …, stopped = …} f"),
+        ("callOpts", tr "Write: callOptions {cancelOn = …, onFeedback = …, onEnd = …}"),
         ("Robot", tr "The robot is chosen where the program is started."),
         ("def", tr "Write taskOptions for a task, callOptions for a call."),
         ("subTask", tr "Feedback can have any type here: take it with onFeedback of callOptions."),

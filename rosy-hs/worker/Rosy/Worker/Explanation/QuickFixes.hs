@@ -22,8 +22,9 @@ import Rosy.Worker.Explanation.ImportSuggestions (moduleExporting, moduleForAlia
 import Rosy.Worker.Explanation.MessageText
 import Rosy.Worker.Explanation.MissingCases (OpenGuards (..), functionWithEquations, openGuards, unmatchedPatterns)
 import Rosy.Worker.Explanation.OriginalVocabulary (oneTypeForTask, originalNameFixes)
-import Rosy.Worker.Explanation.RobotVocabulary (haskellSpelling, loopWords)
-import Rosy.Worker.Explanation.Tokenizer (Token (..), tokenEnd, tokenize)
+import Rosy.Worker.Explanation.RobotVocabulary (loopWords, readyTasks, robotNames, rosySpelling)
+import Rosy.Worker.Explanation.TextRepair (capitalised)
+import Rosy.Worker.Explanation.Tokenizer (Token (..), tokenEnd, tokenSpan, tokenize)
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
@@ -35,13 +36,13 @@ quickFixes outline raw p = case (kind p, place p) of
   ("type-argument", Just s) | "takes one type" `Text.isInfixOf` english (message p) -> oneTypeForTask source s
   ("not-in-scope", Just at) ->
     let s = withoutBackticks at
-     in map (spelled s) (take 3 (maybe (if textAt source s `elem` loopWords then [] else nearMisses everything (textAt source s)) pure (haskellSpelling (textAt source s)))) ++ imports s
+     in map (spelled s) (take 3 (maybe (if textAt source s `elem` ("right" : loopWords) then [] else nearMisses everything (textAt source s)) pure (rosySpelling (textAt source s)))) ++ imports s
   ("missing-definition", Just s) -> map (spelled s) (take 1 (nearMisses everything (textAt source s))) ++ equation s
   ("hole", Just s) -> [Fix (trWith "Fill in {name}" ["name" =: n]) [Edit s n] | n <- fitting]
   ("missing-cases", Just s) -> cases s
   ("bracket", Just s) -> bracket s
   ("controller-needed", Just s) | "Give a Call" `Text.isPrefixOf` english (hint p) -> startedWithCall s
-  ("missing-quote", Just s) -> [Fix (tr "Close the text") [Edit (nothingAt (end s)) "\""]]
+  ("missing-quote", Just s) -> [Fix (tr "Close the text") [Edit (nothingAt (endOfText s)) "\""]]
   ("missing-just", Just s) -> [Fix (tr "Write Just in front") [Edit s ("Just " <> bracketed (textAt source s))]]
   ("negative-number", Just s) -> negative s
   ("comparison", Just s) -> [Fix (tr "Compare with ==") [Edit s "=="]]
@@ -49,18 +50,38 @@ quickFixes outline raw p = case (kind p, place p) of
   ("missing-colon", Just s) -> [Fix (tr "Write two colons") [Edit s "::"]]
   ("missing-equals", Just s) | "sign is missing." `Text.isSuffixOf` english (message p) -> [Fix (tr "Write =") [Edit (nothingAt (end s)) " ="]]
   ("word", Just s) | "a dollar sign is missing" `Text.isInfixOf` english (message p) -> [Fix (tr "Write a dollar sign") [Edit (nothingAt (start s)) "$ "]]
+  ("missing-equals", Just s) | textAt source s == "->" -> [Fix (tr "Write =") [Edit s "="]]
+  ("missing-let", Just s) -> [Fix (trWith "Write {code}" ["code" =: "let"]) [Edit (nothingAt (start s)) "let "]]
   ("field-value", Just s) -> [Fix (tr "Write =") [Edit s "="]]
   ("definition", Just s) -> [Fix (tr "Write =") [Edit s "="]]
   ("comment", Just s) -> [Fix (tr "Write --") [Edit s "--"]]
   ("missing-where", Just s) -> [Fix (tr "Add where") [Edit (nothingAt (end s)) " where"]]
-  ("word", Just s) | textAt source s `elem` ["elif", "elsif", "elseif"] -> [Fix (tr "Write else if") [Edit s "else if"]]
-  ("character", Just s) -> [Fix (trWith "Write {code}" ["code" =: good]) [Edit s good] | Just good <- [lookup (textAt source s) plain]]
+  ("word", Just s) | textAt source s `elem` ["elif", "elsif", "elseif"] -> [Fix (tr "Write else if") [Edit (tokenSpan t) "else if" | t <- tokenize source, word t == textAt source s]]
+  ("lower-case-type", Just s) -> [Fix (trWith "Write {code}" ["code" =: n]) [Edit s n] | n <- [capitalised (textAt source s)], n `elem` robotNames, not (isRepeated s)]
+  ("guard", Just s) | textAt source s == "=", guardsFollow s -> [Fix (trWith "Remove {code}" ["code" =: "="]) [Edit s ""]]
+  ("type-mismatch", _) -> fixes p
+  ("done-type", _) -> fixes p
+  ("pattern", _) -> fixes p
   ("tab", _) -> [Fix (tr "Write spaces for all tabs") tabs | not (null tabs)]
   _ -> []
   where
     source = text outline
+    -- One capital letter leaves another name as it is.
+    isRepeated s = length [t | t <- tokenize source, word t == textAt source s] /= 1
     everything = oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw))
     spelled s n = Fix (trWith "Write {code}" ["code" =: n]) [Edit s n]
+
+    -- Before the brackets that were opened on the line before the text, and are closed at its end.
+    endOfText s =
+      let before = Text.take (column (start s) - 1) (lineOf source (line (start s)))
+          open = Text.count "(" before - Text.count ")" before
+          closed = Text.length (Text.takeWhileEnd (== ')') (textAt source s))
+       in (end s) {column = column (end s) - max 0 (min open closed)}
+
+    -- Whether the first guard behind this has an equals sign of its own.
+    guardsFollow s = case dropWhile ((<= start s) . from) (tokenize source) of
+      bar : rest -> word bar == "|" && "=" `elem` takeWhile (`notElem` ["|", "->"]) (map word rest)
+      [] -> False
 
     -- The hint already lists names that fit the hole.
     fitting = maybe [] quotedParts (after "for example " (english (hint p)))
@@ -146,7 +167,7 @@ quickFixes outline raw p = case (kind p, place p) of
             Just t
               | "never closed" `Text.isInfixOf` english (message p) -> [Fix (trWith "Add {bracket}" ["bracket" =: closing here]) [Edit (nothingAt (closingPlace t (dropWhile ((<= from t) . from) found))) (closing here)]]
               | Just wanted <- listToMaybe (quotedParts (english (hint p))), "closes a bracket" `Text.isInfixOf` english (message p) -> [Fix (trWith "Write {code}" ["code" =: wanted]) [Edit s wanted]]
-              | otherwise -> [Fix (tr "Remove it") [Edit s ""] | complete (takeWhile ((< from t) . from) found)]
+              | otherwise -> [Fix (trWith "Remove {code}" ["code" =: here]) [Edit s ""] | complete (takeWhile ((< from t) . from) found)]
             Nothing -> []
 
     -- Whether a definition may end behind these: with a value, and without a comma outside of brackets, which asks for the opening one.
@@ -165,8 +186,11 @@ quickFixes outline raw p = case (kind p, place p) of
 
 -- | Similar names suggested by GHC.
 nearMisses :: Text -> Text -> [Text]
-nearMisses everything unknownName = foldr keep [] (maybe [] quotedParts (after "Perhaps you meant" everything))
+nearMisses everything unknownName = case filter ((== Text.toLower unknownName) . Text.toLower) (robotNames ++ (if "type constructor or class" `Text.isInfixOf` everything then [] else map fst readyTasks) ++ similar) of
+  exact : _ | exact /= "error" -> [exact]
+  _ -> filter (/= "error") similar
   where
+    similar = foldr keep [] (maybe [] quotedParts (after "Perhaps you meant" everything))
     keep n ns = if n == unknownName || n `elem` ns || Text.all (== ' ') n then ns else n : ns
 
 nothingAt :: Position -> Span
@@ -224,7 +248,3 @@ importPlace source = Position (maybe (1 + header) fst (find (Text.isPrefixOf "im
     numbered = zip [1 ..] (Text.splitOn "\n" source)
     header = length (takeWhile isHeader (Text.splitOn "\n" source))
     isHeader l = any (`Text.isPrefixOf` l) ["{-# LANGUAGE", "{-# OPTIONS", "module "]
-
--- | Typographic characters and their ASCII equivalents.
-plain :: [(Text, Text)]
-plain = [("“", "\""), ("”", "\""), ("„", "\""), ("−", "-"), ("–", "-"), ("—", "-")]

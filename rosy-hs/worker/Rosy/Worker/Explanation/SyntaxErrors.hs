@@ -12,7 +12,7 @@ module Rosy.Worker.Explanation.SyntaxErrors
   )
 where
 
-import Data.Char (isDigit, isLower)
+import Data.Char (isDigit, isLower, isPunctuation, isSymbol)
 import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
@@ -63,8 +63,13 @@ explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap
   where
     failure = failureOf source code said spot
     fallback = case here failure of
+      -- Nothing is before it, or it begins a line as no definition does.
+      Just t | null (takeWhile ((< from t) . from) (found failure)) || column (from t) == 1 && Text.all isPunctuationOrSymbol (word t) && word t /= "(" -> problemAt (tokenSpan t) "syntax" (trWith "This line is not a program: it cannot be understood from ‘{word}’ on." ["word" =: word t]) (trWith "A line at the left edge defines something, for example: {code}" ["code" =: "main = simulate (drive 50)"])
       Just t -> problemAt (tokenSpan t) "syntax" (trWith "The program cannot be understood from ‘{word}’ on." ["word" =: word t]) (tr "Something before it is missing, too much, or in the wrong column.")
       Nothing -> Problem Error "syntax" spot Nothing (tr "The program ends too early.") (tr "The last line is not finished.") "" []
+
+isPunctuationOrSymbol :: Char -> Bool
+isPunctuationOrSymbol c = isPunctuation c || isSymbol c
 
 -- | The most specific first.
 causes :: [ParseFailure -> [Problem]]
@@ -76,7 +81,7 @@ unreadableText ParseFailure {..} =
   concat
     [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
       [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
-      [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (curly c)
+      [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (tr "Remove it, or write it inside a text.")
         | maybe ("lexical error" `Text.isInfixOf` said) (`elem` [21231, 31623]) code,
           Just c <- [Text.take 1 <$> textFrom source at],
           not (Text.null c)
@@ -92,24 +97,24 @@ unreadableText ParseFailure {..} =
 misspelling :: ParseFailure -> [Problem]
 misspelling ParseFailure {..} =
   concat
-    [ [ problemAt (tokenSpan t) "capital" (trWith "‘{word}’ is written with a small letter." ["word" =: word t]) (trWith "Write: {code}." ["code" =: Text.toLower (word t)])
+    [ [ problemAt (tokenSpan t) "capital" (trWith "‘{word}’ is written with a small letter." ["word" =: word t]) (trWith "Write: {code}" ["code" =: Text.toLower (word t)])
         | t : _ <- [current],
           Text.toLower (word t) `elem` reserved,
           word t /= Text.toLower (word t)
       ],
-      [ problemAt (Span (from x) (tokenEnd z)) "number" (tr "A number has a point, not a comma.") (trWith "Write {code}." ["code" =: word x <> "." <> word z])
+      [ problemAt (Span (from x) (tokenEnd z)) "number" (tr "A number has a point, not a comma.") (trWith "Write: {code}" ["code" =: word x <> "." <> word z])
         | given == Just ",",
           Just x <- [listToMaybe (reverse current)],
           comma : z : _ <- [dropWhile ((< at) . from) found],
           (tokenEnd x, tokenEnd comma) == (from comma, from z),
           all (Text.all isDigit . word) [x, z]
       ],
-      [ problemAt (Span (from s) (tokenEnd (last onLine))) "too-many-arguments" (tr "‘simulate’ takes one thing only.") (tr "Put what belongs together into brackets, for example: simulate (Velocity 0.5 0).")
+      [ problemAt (Span (from s) (tokenEnd (last onLine))) "too-many-arguments" (tr "‘simulate’ takes one thing only.") (tr "Put what belongs together into brackets, for example: simulate (Velocity 0.5 0)")
         | given == Just ",",
           s : _ <- [[t | t <- onLine, word t == "simulate"]],
           from s < at
       ],
-      [ problemAt (tokenSpan t) "missing-colon" (tr "Two colons stand between a name and its type.") (trWith "Write: {name} :: …" ["name" =: word f])
+      [ problemAt (tokenSpan t) "missing-colon" (tr "Two colons go between a name and its type.") (trWith "Write: {name} :: …" ["name" =: word f])
         | (f, t) <- take 1 (zip current (drop 1 current)) ++ [(f, t) | f : _ <- [reverse current], Just t <- [here]],
           word t == ":"
       ]
@@ -119,18 +124,18 @@ misspelling ParseFailure {..} =
 mistakeInGuards :: ParseFailure -> [Problem]
 mistakeInGuards failure@ParseFailure {..} =
   concat
-    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
+    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==")
         | given == Just "=",
           fmap word (listToMaybe onLine) == Just "|",
           t : _ : _ <- [[x | x <- onLine, word x == "="]]
       ],
-      [ problemAt (tokenSpan t) "guard" (tr "No equals sign stands before the first guard.") (tr "Remove it: each guard has its own.")
+      [ problemAt (tokenSpan t) "guard" (tr "No equals sign belongs before the first guard.") (tr "Remove it: each guard has its own.")
         | given == Just "|",
           endsWith "=" failure,
           take 1 words' /= ["data"],
           t : _ <- [reverse current]
       ],
-      [ problemAt (tokenSpan t) "missing-equals" (tr "Between a function and its value stands an equals sign.") (tr "Replace -> by =.")
+      [ problemAt (tokenSpan t) "missing-equals" (tr "An equals sign goes between a function and its value.") (tr "Replace -> by =")
         | given == Just "->",
           all (`notElem` words') ["::", "case", "\\", "=", "of", "if"],
           not (afterOf source at),
@@ -147,11 +152,11 @@ mistakeInGuards failure@ParseFailure {..} =
 mistakeInTasks :: ParseFailure -> [Problem]
 mistakeInTasks ParseFailure {..} =
   concat
-    [ [ problemAt (tokenSpan t) "word" (trWith "Haskell has no loop called ‘{word}’." ["word" =: word t]) (tr "To repeat tasks, write: replicateM_ 4 (do …), or forever.")
+    [ [ problemAt (tokenSpan t) "word" (trWith "Haskell has no loop called ‘{word}’." ["word" =: word t]) (tr "To repeat tasks, write: replicateM_ 4 (do …), or forever")
         | Just t <- [listToMaybe onLine],
           word t `elem` ["for", "while", "repeat", "loop"]
       ],
-      [ problemAt (tokenSpan t) "word" (trWith "Before ‘{word}’ a dollar sign is missing." ["word" =: word t]) (if word t == "do" then trWith "Write it between the two: {code}." ["code" =: applied <> " $ do"] else trWith "Write it between the two: {code} …" ["code" =: applied <> " $ " <> word t])
+      [ problemAt (tokenSpan t) "word" (trWith "Before ‘{word}’ a dollar sign is missing." ["word" =: word t]) (if word t == "do" then trWith "Write it between the two: {code}" ["code" =: applied <> " $ do"] else trWith "Write it between the two: {code} …" ["code" =: applied <> " $ " <> word t])
         | Just t <- [here],
           word t == "do" || "in function application" `Text.isInfixOf` said && word t `elem` ["\\", "case", "if", "let"],
           applied <- [applicationBefore source (takeWhile ((< at) . from) onLine)],
@@ -162,7 +167,7 @@ mistakeInTasks ParseFailure {..} =
           inBlock "do" source at,
           Just t <- [listToMaybe onLine]
       ],
-      [ problemAt (tokenSpan t) "missing-equals" (tr "After ‘let’ and a name comes an equals sign.") (trWith "To name what a task ends with, leave out the let: {code}." ["code" =: Text.strip (shortened (Text.drop (column (tokenEnd l) - 1) (lineOf source (line at))))])
+      [ problemAt (tokenSpan t) "missing-equals" (tr "After ‘let’ and a name comes an equals sign.") (trWith "To name what a task ends with, leave out the let: {code}" ["code" =: Text.strip (shortened (Text.drop (column (tokenEnd l) - 1) (lineOf source (line at))))])
         | given == Just "<-",
           l : _ <- [filter ((== "let") . word) onLine],
           Just t <- [here]
@@ -173,13 +178,13 @@ mistakeInTasks ParseFailure {..} =
 mistakeInDeclarations :: ParseFailure -> [Problem]
 mistakeInDeclarations ParseFailure {..} =
   concat
-    [ [ problemAt (tokenSpan t) "capital" (tr "The values of a type begin with a capital letter.") (trWith "Write {code}." ["code" =: Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t)])
+    [ [ problemAt (tokenSpan t) "capital" (tr "The values of a type begin with a capital letter.") (trWith "Write: {code}" ["code" =: Text.toTitle (Text.take 1 (word t)) <> Text.drop 1 (word t)])
         | take 1 words' `elem` [["data"], ["newtype"]],
           Just t <- [if given `elem` [Just "|", Nothing] then listToMaybe (reverse current) else here],
           Text.all isLower (Text.take 1 (word t)),
           fmap word (listToMaybe (reverse (takeWhile ((< from t) . from) current))) `elem` [Just "=", Just "|"]
       ],
-      [ problemAt (tokenSpan t) "syntax" (tr "The values of a type have | between them.") (tr "Write: data Mode = Go | Stop.")
+      [ problemAt (tokenSpan t) "syntax" (tr "The values of a type have | between them.") (tr "Write: data Mode = Go | Stop")
         | take 1 words' == ["data"],
           given == Just ",",
           null (openBrackets words'),
@@ -190,7 +195,7 @@ mistakeInDeclarations ParseFailure {..} =
           not (null (openBrackets words')),
           Just t <- [here]
       ],
-      [ problemAt (tokenSpan t) "missing-brackets" (tr "Several things together need brackets around them.") (tr "Write: (first, second).")
+      [ problemAt (tokenSpan t) "missing-brackets" (tr "Several things together need brackets around them.") (maybe (tr "Write: (first, second)") (\code -> trWith "Write: {code}" ["code" =: code]) (inBrackets t))
         | given == Just ",",
           null (openBrackets words'),
           Just t <- [here]
@@ -200,29 +205,35 @@ mistakeInDeclarations ParseFailure {..} =
           given == Just "|",
           Just t <- take 1 (map Just current)
       ],
-      [ problemAt (tokenSpan t) "capital" (tr "The names of modules begin with capital letters.") (tr "Write for example: import Data.List.")
+      [ problemAt (tokenSpan t) "capital" (tr "The names of modules begin with capital letters.") (tr "Write for example: import Data.List")
         | "import" : _ <- [map word onLine],
           Just t <- [listToMaybe (drop 1 onLine)],
           Text.all isLower (Text.take 1 (word t)),
           word t `notElem` ["qualified", "safe"]
       ]
     ]
+  where
+    -- All that stands behind the equals sign of the line.
+    inBrackets t = case [e | e <- onLine, word e == "=", from e < from t] of
+      [e] | rest <- Text.strip (Text.drop (column (from e)) (lineOf source (line at))), not ("--" `Text.isInfixOf` rest), line (from t) == line at, isWholeLine -> Just ("(" <> rest <> ")")
+      _ -> Nothing
+    isWholeLine = all (\x -> column (from x) == 1) (take 1 (dropWhile ((<= line at) . line . from) found))
 
 -- | Conditions and cases, and the column of a definition.
 mistakeInCases :: ParseFailure -> [Problem]
 mistakeInCases failure@ParseFailure {..} =
   concat
-    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==.")
+    [ [ problemAt (tokenSpan t) "comparison" (tr "A single = gives a name to something.") (tr "To compare two values, write ==")
         | given == Just "=",
           lastOf ["if", "|", "then", "else", "="] words' `elem` [Just "if", Just "|"],
           Just t <- [here]
       ],
-      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a case, an arrow -> stands between a pattern and its value.") (tr "Replace the = by ->.")
+      [ problemAt (tokenSpan t) "missing-arrow" (tr "In a case, an arrow -> goes between a pattern and its value.") (tr "Replace the = by ->")
         | given == Just "=",
           inCases source at,
           Just t <- [here]
       ],
-      [ problemAt (tokenSpan t) "indentation" (tr "The cases after ‘of’ stand too far to the left.") (tr "Indent them by two spaces more than the line with ‘case’.")
+      [ problemAt (tokenSpan t) "indentation" (tr "The cases after ‘of’ are too far to the left.") (tr "Indent them by two spaces more than the line with ‘case’.")
         | given == Just "->",
           afterOf source at,
           Just t <- [listToMaybe onLine]
@@ -233,7 +244,7 @@ mistakeInCases failure@ParseFailure {..} =
           word t == "|",
           all ((`notElem` ["=", "->"]) . word) condition
       ],
-      [ problemAt (tokenSpan t) "indentation" (tr "This line stands too far to the right.") (tr "A definition begins at the left edge of its block.")
+      [ problemAt (tokenSpan t) "indentation" (tr "This line is too far to the right.") (tr "A definition begins at the left edge of its block.")
         | given `elem` [Just "=", Just "::", Just "|"],
           Just t <- [listToMaybe onLine],
           column (from t) > 1,
@@ -274,12 +285,12 @@ misplacedWord ParseFailure {..} =
           Just p <- [listToMaybe (reverse current)],
           word p `elem` reserved
       ],
-      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot stand here." ["word" =: word t]) (tr "If it was meant as a name, choose another one.")
+      [ problemAt (tokenSpan t) "word" (trWith "‘{word}’ is a word of Haskell itself and cannot be used here." ["word" =: word t]) (tr "If it was meant as a name, choose another one.")
         | Just t <- [here],
           word t `elem` reserved,
           word t `notElem` ["then", "else", "of", "in", "where", "import"]
       ],
-      [ problemAt (tokenSpan t) "syntax" (tr "An import stands too late.") (tr "Move all imports to the top of the program.")
+      [ problemAt (tokenSpan t) "syntax" (tr "An import comes too late.") (tr "Move all imports to the top of the program.")
         | Just t <- [here],
           word t == "import"
       ],
@@ -309,12 +320,6 @@ shortened t = if Text.length t > 40 then Text.take 38 t <> " …" else t
 
 reserved :: [Text]
 reserved = ["case", "class", "data", "default", "deriving", "do", "else", "if", "import", "in", "infix", "infixl", "infixr", "instance", "let", "module", "newtype", "of", "then", "type", "where"]
-
-curly :: Text -> Sentence
-curly c
-  | c `elem` ["“", "”", "„"] = tr "Texts are written between straight quotation marks: \"hello\"."
-  | c `elem` ["−", "–", "—"] = tr "A minus sign is the plain one: -."
-  | otherwise = tr "Remove it, or write it inside a text."
 
 widen :: Position -> Span
 widen p = Span p p {column = column p + 1}

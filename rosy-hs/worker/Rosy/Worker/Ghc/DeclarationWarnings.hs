@@ -50,13 +50,13 @@ declarationWarnings located implicitNames parsed = concat [warning s (unLoc l) |
       | otherwise = tr "The robot knows only its own: remove it, or give it another name."
 
     empty s c t
-      | t `elem` declared = removing s (problemAt s "empty-instance" (trWith "This declaration adds nothing: ‘{type}’ is an event already." ["type" =: t]) (trWith "One function gives it, another takes it: remove the declaration. If it is a message of a robot, write behind it: {code}." ["code" =: methodOf c t]))
-      | otherwise = asWarning (problemAt s "empty-instance" (if c == "Sensor" then trWith "This declaration does not say where values of ‘{type}’ come from." ["type" =: t] else trWith "This declaration does not say where values of ‘{type}’ go to." ["type" =: t]) (trWith "To send them from function to function, declare a type: newtype My{type} = My{type} {type}." ["type" =: t]))
+      | t `elem` declared = removing s (problemAt s "empty-instance" (trWith "This declaration adds nothing: ‘{type}’ is an event already." ["type" =: t]) (trWith "One function gives it, another takes it: remove the declaration. If it is a message of a robot, write after it: {code}" ["code" =: methodOf c t]))
+      | otherwise = asWarning (problemAt s "empty-instance" (if c == "Sensor" then trWith "This declaration does not say where values of ‘{type}’ come from." ["type" =: t] else trWith "This declaration does not say where values of ‘{type}’ go to." ["type" =: t]) (trWith "To send them from function to function, declare a type: newtype My{type} = My{type} {type}" ["type" =: t]))
     -- The method of the instance, as rule R23 has it.
     methodOf c t
       | c == "Sensor" = "where sensor = topic \"/name\" \"package/Type\" (" <> t <> " <$> field \"name\")"
       | otherwise = "where command = publish \"/name\" \"package/Type\" (\\_ -> [(\"name\", whole 1)])"
     asWarning p = p {severity = Warning}
-    removing s p = (asWarning p) {fixes = [Fix (tr "Remove it") [Edit (Span (start s) (Position (line (end s) + 1) 1)) ""] | column (start s) == 1]}
+    removing s p = (asWarning p) {fixes = [Fix (tr "Remove this declaration") [Edit (Span (start s) (Position (line (end s) + 1) 1)) ""] | column (start s) == 1]}
     plain :: RdrName -> Text
     plain = Text.pack . occNameString . rdrNameOcc

@@ -101,6 +101,7 @@ namesOf top = go (16 :: Int) top Map.empty
         length params == length args,
         parts@(Names _) <- go (depth - 1) defs (boundTo params args `Map.union` Map.fromList [(p, Name p) | Just p <- params]) n body =
         parts
+      | n == "priority", Map.notMember n defs, [_, first, second] <- args = Names (map (go depth defs env "priority") [first, second])
       | otherwise = Name n
       where
         boundTo params xs = Map.fromList [(p, go (depth - 1) defs env n x) | (Just p, x) <- zip params xs]

@@ -81,7 +81,7 @@ programOptions restriction flags columns _ buffer = do
 
 -- | Refuses line pragmas. They would shift the positions of problems, and 'onLinesContaining' would inspect the wrong lines.
 linePragmaRefusals :: Text -> [Problem]
-linePragmaRefusals source = [problemAt (Span (Position n 1) (Position n (Text.length l + 1))) "pragma" (tr "A program cannot say on which line it stands.") (tr "Remove this line.") | (n, l) <- numbered, n `elem` hashes ++ pragmas]
+linePragmaRefusals source = [problemAt (Span (Position n 1) (Position n (Text.length l + 1))) "pragma" (tr "A program cannot say on which line it is.") (tr "Remove this line.") | (n, l) <- numbered, n `elem` hashes ++ pragmas]
   where
     numbered = zip [1 ..] (Text.lines source)
     hashes = [n | (n, l) <- numbered, Just rest <- [Text.stripPrefix "#" l], let word = Text.stripStart rest, Text.any isDigit (Text.take 1 word) || "line" `Text.isPrefixOf` word]
@@ -160,16 +160,16 @@ declarationRefusals columns source parsed = concatMap refusal (hsmodDecls parsed
       RealSrcSpan r _ -> Text.concat (take 1 (drop (srcSpanStartLine r - 1) (Text.lines source)))
       UnhelpfulSpan _ -> Text.empty
     noDefinition s = case Text.words (lineAt s) of
-      f : ":" : _ -> (tr "Two colons stand between a name and its type.", trWith "Write: {name} :: …" ["name" =: f])
+      f : ":" : _ -> (tr "Two colons go between a name and its type.", trWith "Write: {name} :: …" ["name" =: f])
       w : _ | w `elem` ["def", "function", "func", "fun", "var", "const", "void"] -> (trWith "‘{word}’ means nothing in Haskell." ["word" =: w], definition "Velocity 0.5 0")
       w : _ | isOverLines s, begins isLower w -> (tr "At the end of this line an equals sign is missing.", trWith "Write: {code} = …" ["code" =: Text.stripEnd (lineAt s)])
-      w : value@(c : _) | begins isLower w, begins isUpper c, not (Text.any (== ',') (Text.concat value)) -> (tr "This line has no equals sign.", trWith "Write: {code}." ["code" =: w <> " = " <> Text.unwords value])
+      w : value@(c : _) | begins isLower w, begins isUpper c, not (Text.any (== ',') (Text.concat value)) -> (tr "This line has no equals sign.", trWith "Write: {code}" ["code" =: w <> " = " <> Text.unwords value])
       w : _ | begins isLower w -> (tr "This line has no equals sign.", definition "Velocity 0.5 0")
       _ -> (tr "This line has no equals sign.", definition (Text.strip (lineAt s)))
     -- The program's own value, if it is short.
     definition value
       | Text.length value > 40 = tr "A definition is a name, an equals sign and a value: move = …"
-      | otherwise = trWith "A definition is a name, an equals sign and a value: move = {value}." ["value" =: value]
+      | otherwise = trWith "A definition is a name, an equals sign and a value: move = {value}" ["value" =: value]
     begins p = maybe False (p . fst) . Text.uncons
     isOverLines s = case s of
       RealSrcSpan r _ -> srcSpanStartLine r < srcSpanEndLine r

@@ -136,7 +136,7 @@ memoryProblem atWork = (problemNowhere "memory" what why) {function = atWork}
 -- | Problem for a compilation that ended without an answer.
 compileProblem :: Maybe Overrun -> Text -> ProcessEnd -> Problem
 compileProblem exceeded words' how
-  | exceeded == Just TooLate = problemNowhere "too-long" (tr "The program takes too long to check.") (tr "Make it shorter, or split large expressions into several functions.")
+  | exceeded == Just TooLate || how == Signalled cpuLimitSignal = problemNowhere "too-long" (tr "The program takes too long to check.") (tr "Make it shorter, or split large expressions into several functions.")
   | exceeded == Just TooLarge || outOfMemory how || refusedMemory = problemNowhere "too-large" (tr "The program takes too much memory to check.") (tr "Make it shorter, or split large expressions into several functions.")
   | otherwise = (problemNowhere "compiler" (tr "The program could not be checked.") (tr "Undo the last change and try again.")) {ghc = words'}
   where

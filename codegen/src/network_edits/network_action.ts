@@ -1,0 +1,66 @@
+/// Edits of the dataflow network as values, and what comes of one: a new text, or the cause why there is none.
+
+/// Types are written as the program writes them, without brackets around the whole: `Bumper`, `Memory Hit`.
+export type NetworkAction =
+  /// A new function of that type, which `simulate` runs. The sensor `()` is the tick: the function takes nothing.
+  | {
+      readonly kind: "connect-sensor-to-actuator"
+      readonly sensor: string
+      readonly actuator: string
+      readonly name: string
+    }
+  /// `all`: one more argument. `either`: the first event that it takes, or this one.
+  | {
+      readonly kind: "add-input"
+      readonly function: string
+      readonly type: string
+      readonly as: "all" | "either"
+    }
+  | {readonly kind: "add-output"; readonly function: string; readonly type: string}
+  /// The sender sends the event, and the receiver takes it. An event that the program does not have yet is declared.
+  | {
+      readonly kind: "connect-functions"
+      readonly from: string
+      readonly to: string
+      readonly event: string
+      readonly as: "all" | "either"
+    }
+  | {readonly kind: "cut-input"; readonly function: string; readonly type: string}
+  | {readonly kind: "delete"; readonly function: string}
+  | {readonly kind: "rename"; readonly function: string; readonly name: string}
+  | {readonly kind: "duplicate"; readonly function: string; readonly name: string}
+  /// `simulate` runs the function, or no longer runs it.
+  | {readonly kind: "join"; readonly function: string}
+  | {readonly kind: "leave"; readonly function: string}
+
+/// Why an edit is not made.
+export type NetworkRefusal =
+  /// No definition of the program has this name and is made of equations that blocks can say.
+  | {readonly kind: "no-such-function"; readonly function: string}
+  | {readonly kind: "name-taken"; readonly name: string}
+  | {readonly kind: "not-a-name"; readonly name: string}
+  | {readonly kind: "not-a-type-name"; readonly name: string}
+  /// The program has no `simulate`, or computes what it gives to it.
+  | {readonly kind: "no-simulate"}
+  | {readonly kind: "type-unknown"; readonly function: string}
+  | {readonly kind: "already-takes"; readonly function: string; readonly type: string}
+  | {readonly kind: "already-sends"; readonly function: string; readonly type: string}
+  | {readonly kind: "already-runs"; readonly function: string}
+  | {readonly kind: "does-not-run"; readonly function: string}
+  /// There is nothing that the new event could be an alternative to.
+  | {readonly kind: "takes-no-event"; readonly function: string}
+  | {readonly kind: "takes-too-much"; readonly function: string}
+  /// Equations of the function tell values of this input apart.
+  | {readonly kind: "tells-apart"; readonly function: string; readonly type: string}
+  | {readonly kind: "does-not-take"; readonly function: string; readonly type: string}
+  /// Other definitions use the function.
+  | {readonly kind: "used-elsewhere"; readonly function: string}
+  /// The program would have a mistake that it does not have; `why` is a sentence in the learner's language.
+  | {readonly kind: "does-not-fit"; readonly why: string}
+  /// The texts of these definitions are unfinished, or say what blocks cannot.
+  | {readonly kind: "unfinished"; readonly names: readonly string[]}
+
+export type NetworkEdit =
+  /// `selects` is the definition that the learner looks at next.
+  | {readonly ok: true; readonly text: string; readonly selects: string | undefined}
+  | {readonly ok: false; readonly refusal: NetworkRefusal}

@@ -1,0 +1,482 @@
+/// Applies an edit of the dataflow network to a program: its blocks are changed, and the text follows as with any edit of blocks, so that comments and all
+/// that is not meant keep every character. An edit after which inference would find a mistake that was not there is refused.
+
+import {chain} from "../blocks/block_reader.ts"
+import {isConstructorName, isVariableName, reservedWords} from "../haskell/lexemes.ts"
+import type {Reader} from "../reader/module/module_reader.ts"
+import {syncBlocks} from "../reader/view/block_synchronization.ts"
+import type {View} from "../reader/view/view.ts"
+import {workspaceOf} from "../reader/view/view.ts"
+import {events, states} from "../robot/roles.ts"
+import type {SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
+import {expand} from "../types/environment/environment.ts"
+import {metasIn, showScheme, showType, spine, type Type} from "../types/syntax/type.ts"
+import {parseSignature, parseType} from "../types/syntax/type_parser.ts"
+import {InferenceSession} from "../workspace/inference/inference_session.ts"
+import {everyBlock, type InferredWorkspace, problemsOf} from "../workspace/inference/workspace_inference.ts"
+import {referenceTo} from "../workspace/moves/definition_references.ts"
+import {isRefusal} from "../workspace/moves/refusal_messages.ts"
+import {rename} from "../workspace/renaming/renaming.ts"
+import {mapExtras} from "../workspace/renaming/renaming_changes.ts"
+import {con, make, reaction, ref} from "../workspace/toolbox/block_builders.ts"
+import {
+  arityOf,
+  mostArguments,
+  namesUsed,
+  type OwnTypes,
+  patternAt,
+  patternFor,
+  patternsOf,
+  withAnswers,
+  withEquation,
+  withEquations,
+  withPatterns,
+  withSignature,
+} from "./definition_edits.ts"
+import type {NetworkAction, NetworkEdit, NetworkRefusal} from "./network_action.ts"
+import {
+  type SignatureParts,
+  signatureParts,
+  textOf,
+  withAlternative,
+  withArgument,
+  withoutArgument,
+  withReplaced,
+  withResultPart,
+} from "./signature_text.ts"
+import {isPlaced, withoutPlaces, withPlace} from "./simulated_places.ts"
+
+/// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same.
+export function networkEdit(
+  reader: Reader,
+  view: View,
+  action: NetworkAction,
+  session = new InferenceSession(),
+): NetworkEdit {
+  try {
+    const before = workspaceOf(view)
+    const change = new NetworkChange(before, session)
+    const selects = change.apply(action)
+    const after = change.workspace
+    const why = newMistake(change.inferred, session.inferWorkspace(after))
+    if (why !== undefined) return {ok: false, refusal: {kind: "does-not-fit", why}}
+    const synchronized = syncBlocks(reader, view, after)
+    return synchronized.refused === undefined
+      ? {ok: true, text: synchronized.text, selects}
+      : {ok: false, refusal: {kind: "unfinished", names: synchronized.refused}}
+  } catch (thrown) {
+    if (thrown instanceof Refused) return {ok: false, refusal: thrown.refusal}
+    throw thrown
+  }
+}
+
+/// Ends an edit that is refused.
+class Refused extends Error {
+  readonly refusal: NetworkRefusal
+
+  constructor(refusal: NetworkRefusal) {
+    super(refusal.kind)
+    this.refusal = refusal
+  }
+}
+
+const refuse = (refusal: NetworkRefusal): never => {
+  throw new Refused(refusal)
+}
+
+/// A mistake that inference finds after an edit and did not find before it.
+function newMistake(before: InferredWorkspace, inferred: InferredWorkspace): string | undefined {
+  const mistakes = ({inference}: InferredWorkspace) => inference.problems.filter(isRefusal).length
+  if (mistakes(inferred) <= mistakes(before)) return undefined
+  const known = new Set(problemsOf(before).map(problem => problem.message))
+  const all = problemsOf(inferred).filter(({kind, severity}) => severity === "error" && kind !== "hole")
+  return (all.find(problem => !known.has(problem.message)) ?? all[0])?.message ?? ""
+}
+
+/// A function whose type is known.
+interface TypedDefinition {
+  readonly block: SavedBlock
+  readonly signature: string
+  readonly parts: SignatureParts
+}
+
+class NetworkChange {
+  workspace: SavedWorkspace
+  readonly inferred: InferredWorkspace
+  readonly #session: InferenceSession
+  #newId = 0
+
+  constructor(workspace: SavedWorkspace, session: InferenceSession) {
+    this.workspace = workspace
+    this.inferred = session.inferWorkspace(workspace)
+    this.#session = session
+  }
+
+  /// Changes the workspace; returns the name of the definition to look at next.
+  apply(action: NetworkAction): string | undefined {
+    switch (action.kind) {
+      case "connect-sensor-to-actuator":
+        this.#connect(action.sensor, action.actuator, action.name)
+        return action.name
+      case "add-input":
+        this.#addInput(action.function, action.type, action.as)
+        return action.function
+      case "add-output":
+        this.#addOutput(action.function, action.type, undefined)
+        return action.function
+      case "connect-functions":
+        this.#connectFunctions(action)
+        return action.to
+      case "cut-input":
+        this.#cutInput(action.function, action.type)
+        return action.function
+      case "delete":
+        this.#delete(action.function)
+        return undefined
+      case "rename":
+        this.#rename(action.function, action.name)
+        return action.name
+      case "duplicate":
+        this.#duplicate(action.function, action.name)
+        return action.name
+      case "join":
+        if (this.#runs(action.function)) refuse({kind: "already-runs", function: action.function})
+        this.#join(this.#definition(action.function))
+        return action.function
+      default:
+        if (!this.#runs(action.function)) refuse({kind: "does-not-run", function: action.function})
+        this.#change(this.#main(), main => withoutPlaces(main, action.function))
+        return action.function
+    }
+  }
+
+  #connect(sensor: string, actuator: string, name: string): void {
+    this.#checkName(name)
+    const own = this.#ownTypes()
+    const patterns = sensor === "()" ? [] : [patternFor(sensor, own, this.#names())]
+    const block = reaction(name, readingOf(sensor), patterns)
+    const signature = sensor === "()" ? actuator : `${sensor} -> ${actuator}`
+    this.#join(this.#add(withSignature(block, signature)))
+  }
+
+  #addInput(name: string, type: string, as: "all" | "either"): void {
+    const {block, signature, parts} = this.#typed(name)
+    if (this.#leaves(parts.arguments.map(range => textOf(signature, range))).includes(this.#expanded(type)))
+      refuse({kind: "already-takes", function: name, type})
+    const arity = arityOf(block)
+    const own = this.#ownTypes()
+    if (as === "all") {
+      if (parts.arguments.length >= mostArguments) refuse({kind: "takes-too-much", function: name})
+      // A function with fewer patterns than arguments gives a function: what it takes first is still the first pattern.
+      const first = arity < parts.arguments.length
+      const changed = withPatterns(block, i => {
+        const patterns = patternsOf(block, i)
+        const added = patternFor(type, own, this.#names(block))
+        return first ? [added, ...patterns] : [...patterns, added]
+      })
+      this.#change(block, () => withSignature(changed, withArgument(signature, parts, type, first)))
+      return
+    }
+    const at = parts.arguments.findIndex(range => this.#isEvent(textOf(signature, range)))
+    const argument = parts.arguments[at] ?? refuse({kind: "takes-no-event", function: name})
+    if (arity <= at) refuse({kind: "takes-no-event", function: name})
+    const left = withPatterns(block, i =>
+      patternsOf(block, i).map((pattern, j) => (j === at ? side("Left", pattern) : pattern)),
+    )
+    const taken = this.#names()
+    const patterns = Array.from({length: arity}, (_, j) => {
+      const range = parts.arguments[j]
+      const taking = j === at || range === undefined ? type : textOf(signature, range)
+      const pattern = patternFor(taking, own, taken)
+      return j === at ? side("Right", pattern) : pattern
+    })
+    const changed = withEquation(left, patterns)
+    this.#change(block, () => withSignature(changed, withAlternative(signature, argument, type)))
+  }
+
+  /// `value` is what each answer sends; undefined leaves a place for it.
+  #addOutput(name: string, type: string, value: SavedBlock | undefined): void {
+    const {block, signature, parts} = this.#typed(name)
+    if (arityOf(block) < parts.arguments.length) refuse({kind: "type-unknown", function: name})
+    if (this.#leaves([textOf(signature, parts.result)]).includes(this.#expanded(type)))
+      refuse({kind: "already-sends", function: name, type})
+    const answers: (SavedBlock | undefined)[] = []
+    withAnswers(block, answer => {
+      answers.push(answer)
+      return answer ?? make("tuple")
+    })
+    const parsed = parseType(textOf(signature, parts.result))
+    const count = parsed === undefined ? 0 : tupleSize(parsed)
+    const flat =
+      count > 1 &&
+      count < mostArguments &&
+      textOf(signature, parts.result).startsWith("(") &&
+      answers.every(answer => answer?.type === "tuple" && answer.extraState?.items === count)
+    const changed = withAnswers(block, answer => {
+      const last = value === undefined ? {} : {block: structuredClone(value)}
+      return flat && answer !== undefined
+        ? {
+            ...answer,
+            extraState: {...answer.extraState, items: count + 1},
+            inputs: {...answer.inputs, [`I${count}`]: last},
+          }
+        : {
+            type: "tuple",
+            extraState: {items: 2},
+            inputs: {...(answer === undefined ? {} : {I0: {block: answer}}), I1: last},
+          }
+    })
+    this.#change(block, () => withSignature(changed, withResultPart(signature, parts, type, flat)))
+  }
+
+  #connectFunctions({from, to, event, as}: Extract<NetworkAction, {kind: "connect-functions"}>): void {
+    const {signature, parts} = this.#typed(from)
+    const sends = this.#leaves([textOf(signature, parts.result)]).includes(this.#expanded(event))
+    if (!sends) {
+      if (!this.#ownTypes().has(event)) this.#declareEvent(event)
+      const only = this.#ownTypes().get(event)
+      this.#addOutput(from, event, only === undefined ? undefined : con(only))
+    }
+    this.#addInput(to, event, as)
+  }
+
+  #declareEvent(name: string): void {
+    if (!isConstructorName(name)) refuse({kind: "not-a-type-name", name})
+    const {types, constructors} = this.inferred.inference.env
+    if (types.has(name) || constructors.has(name)) refuse({kind: "name-taken", name})
+    this.#add(make("data", {name, parameters: [], constructors: [{name, fields: []}], deriving: []}))
+  }
+
+  #cutInput(name: string, type: string): void {
+    const {block, signature, parts} = this.#typed(name)
+    const wanted = this.#expanded(type)
+    const at = parts.arguments.findIndex(range => this.#expanded(textOf(signature, range)) === wanted)
+    if (at >= 0) {
+      if (arityOf(block) <= at) refuse({kind: "type-unknown", function: name})
+      const several = (block.extraState?.equations as readonly unknown[] | undefined)?.length ?? 1
+      const patterns = Array.from({length: several}, (_, i) => patternAt(block, i, at))
+      if (several > 1 && !patterns.every(takesAll)) refuse({kind: "tells-apart", function: name, type})
+      const changed = withPatterns(block, i => patternsOf(block, i).filter((_, j) => j !== at))
+      this.#change(block, () => withSignature(changed, withoutArgument(signature, parts, at)))
+      return
+    }
+    for (const [j, range] of parts.arguments.entries()) {
+      const sides = sidesOf(textOf(signature, range))
+      const cut = sides?.findIndex(one => this.#expanded(one) === wanted) ?? -1
+      if (sides === undefined || cut < 0) continue
+      const [gone, kept] = cut === 0 ? ["Left", "Right"] : ["Right", "Left"]
+      const conOf = (i: number) => {
+        const pattern = patternAt(block, i, j)
+        return pattern?.type === "pattern_construct" ? pattern.extraState?.con : undefined
+      }
+      const equations = patternsInEquations(block)
+      if (
+        !equations.every(i => conOf(i) === gone || conOf(i) === kept) ||
+        !equations.some(i => conOf(i) === kept)
+      )
+        refuse({kind: "tells-apart", function: name, type})
+      const remaining = withEquations(block, i => conOf(i) === kept)
+      const changed = withPatterns(remaining, i =>
+        patternsOf(remaining, i).map((pattern, k) => (k === j ? pattern?.inputs?.A0?.block : pattern)),
+      )
+      const stays = sides[1 - cut] ?? ""
+      this.#change(block, () => withSignature(changed, withReplaced(signature, range, stays)))
+      return
+    }
+    refuse({kind: "does-not-take", function: name, type})
+  }
+
+  #delete(name: string): void {
+    const block = this.#definition(name)
+    if (this.#runs(name)) this.#change(this.#main(), main => withoutPlaces(main, name))
+    this.#change(block, () => undefined)
+    const isUsed = [...everyBlock(this.workspace)].some(
+      ({type, extraState}) =>
+        (type === "name" && extraState?.name === name) ||
+        (type.startsWith("raw") &&
+          new RegExp(`(?<![\\w'.])${name}(?![\\w'])`).test(String(extraState?.text))),
+    )
+    if (isUsed) refuse({kind: "used-elsewhere", function: name})
+  }
+
+  #rename(old: string, name: string): void {
+    const block = this.#definition(old)
+    const answer = rename(this.workspace, block.id ?? "", "name", name)
+    if (!answer.ok) throw new Refused({kind: "does-not-fit", why: answer.why})
+    this.workspace = mapExtras(this.workspace, new Map(answer.changes.map(c => [c.block, c.extra])))
+  }
+
+  #duplicate(old: string, name: string): void {
+    this.#checkName(name)
+    const alone = {...this.workspace, blocks: {languageVersion: 0, blocks: [this.#definition(old)]}}
+    const answer = rename(alone, this.#definition(old).id ?? "", "name", name)
+    if (!answer.ok) throw new Refused({kind: "does-not-fit", why: answer.why})
+    const [copy] = mapExtras(alone, new Map(answer.changes.map(c => [c.block, c.extra]))).blocks.blocks
+    if (copy !== undefined) this.#add(withoutIds(copy))
+  }
+
+  #join(block: SavedBlock): void {
+    const main = this.#main()
+    const reference = referenceTo(
+      this.workspace,
+      {block: main.id ?? "", input: "R0"},
+      block.id ?? "",
+      this.#session,
+    )
+    if (!reference.fits) throw new Refused({kind: "does-not-fit", why: reference.why})
+    this.#change(main, before => withPlace(before, ref(String(block.extraState?.name))))
+  }
+
+  #runs(name: string): boolean {
+    const main = this.#tops().find(({type}) => type === "main")
+    return main !== undefined && isPlaced(main, name)
+  }
+
+  #checkName(name: string): void {
+    if (!isVariableName(name) || reservedWords.has(name)) refuse({kind: "not-a-name", name})
+    const defined = this.#tops().some(({extraState}) => extraState?.name === name)
+    if (defined || name === "main") refuse({kind: "name-taken", name})
+  }
+
+  #tops(): readonly SavedBlock[] {
+    return this.workspace.blocks.blocks.flatMap(chain)
+  }
+
+  #main(): SavedBlock {
+    return this.#tops().find(({type}) => type === "main") ?? refuse({kind: "no-simulate"})
+  }
+
+  #definition(name: string): SavedBlock {
+    const found = this.#tops().find(({type, extraState}) => type === "define" && extraState?.name === name)
+    return found === undefined || found.extraState?.folded !== undefined
+      ? refuse({kind: "no-such-function", function: name})
+      : found
+  }
+
+  /// A function with the type that the program writes for it, or else the inferred one.
+  #typed(name: string): TypedDefinition {
+    const block = this.#definition(name)
+    const written = block.extraState?.signature
+    const scheme = this.inferred.globals.get(name)
+    const isKnown = scheme !== undefined && metasIn(scheme.type).size === 0
+    const signature =
+      typeof written === "string" && written.trim() !== ""
+        ? written
+        : isKnown
+          ? showScheme(scheme)
+          : refuse({kind: "type-unknown", function: name})
+    const parts = parseSignature(signature) === undefined ? undefined : signatureParts(signature)
+    return {block, signature, parts: parts ?? refuse({kind: "type-unknown", function: name})}
+  }
+
+  #ownTypes(): OwnTypes {
+    return new Map(
+      this.#tops().flatMap(({type, extraState = {}}): [string, string | undefined][] => {
+        if (type !== "data" || typeof extraState.name !== "string") return []
+        const constructors = (extraState.constructors ?? []) as readonly {
+          name: string
+          fields?: readonly unknown[]
+        }[]
+        const [only, ...others] = constructors
+        const isAlone = others.length === 0 && only !== undefined && (only.fields ?? []).length === 0
+        return [[extraState.name, isAlone ? only.name : undefined]]
+      }),
+    )
+  }
+
+  /// The names that a new pattern of a function may not have.
+  #names(block?: SavedBlock): Set<string> {
+    const tops = this.#tops().map(
+      ({type, extraState}): SavedBlock => ({type, ...(extraState && {extraState})}),
+    )
+    return namesUsed(block === undefined ? tops : [...tops, block])
+  }
+
+  #expanded(type: string): string {
+    const parsed = parseType(type)
+    return parsed === undefined ? type.trim() : showType(expand(parsed, this.inferred.inference.env))
+  }
+
+  /// The types that some types are made of, without synonyms: the sides of `Either`, the parts of tuples, what `Maybe` and lists hold.
+  #leaves(types: readonly string[]): readonly string[] {
+    const inside = (type: Type): readonly Type[] => {
+      const {head, args} = spine(type)
+      const isShape = head.kind === "con" && /^(?:Either|Maybe|\[\]|\(,+\))$/.test(head.name)
+      return isShape ? args.flatMap(inside) : [type]
+    }
+    return types
+      .flatMap(type => parseType(type) ?? [])
+      .flatMap(type => inside(expand(type, this.inferred.inference.env)))
+      .map(type => showType(type))
+  }
+
+  /// Whether a type triggers a function, as an event of the robot or of the program (rule R1).
+  #isEvent(type: string): boolean {
+    const own = this.#ownTypes()
+    const leaves = this.#leaves([type])
+    return leaves.length > 0 && leaves.every(leaf => events.has(leaf) || own.has(leaf))
+  }
+
+  #add(block: SavedBlock): SavedBlock {
+    const added = {...block, id: `network-edit-${this.#newId++}`}
+    const {blocks} = this.workspace
+    this.workspace = {...this.workspace, blocks: {...blocks, blocks: [...blocks.blocks, added]}}
+    return added
+  }
+
+  /// Changes a definition where it stands, also below another one in a stack.
+  #change(block: SavedBlock, change: (before: SavedBlock) => SavedBlock | undefined): void {
+    const within = (top: SavedBlock): SavedBlock[] => {
+      const below = top.next?.block
+      const rest = below === undefined ? [] : within(below)
+      const {next: _, ...alone} = top
+      const now = top.id === block.id ? change(alone) : alone
+      if (now === undefined) return rest
+      const [first, ...others] = rest
+      return [first === undefined ? now : {...now, next: {block: first}}, ...others]
+    }
+    const {blocks} = this.workspace
+    this.workspace = {...this.workspace, blocks: {...blocks, blocks: blocks.blocks.flatMap(within)}}
+  }
+}
+
+const side = (name: "Left" | "Right", pattern: SavedBlock | undefined): SavedBlock =>
+  make("pattern_construct", {con: name, args: 1}, pattern === undefined ? {} : {A0: pattern})
+
+const patternsInEquations = (block: SavedBlock): readonly number[] =>
+  Array.from(
+    {length: Math.max(1, (block.extraState?.equations as readonly unknown[] | undefined)?.length ?? 1)},
+    (_, i) => i,
+  )
+
+/// Whether a pattern takes every value, so that it tells none apart.
+function takesAll(pattern: SavedBlock | undefined): boolean {
+  return pattern === undefined || pattern.type === "pattern_name" || pattern.type === "pattern_any"
+}
+
+/// How a new function reads in blocks.
+function readingOf(sensor: string): string {
+  if (sensor === "()") return "command"
+  return events.has(sensor) ? "event" : states.has(sensor) ? "state" : "plain"
+}
+
+function tupleSize(type: Type): number {
+  const {head, args} = spine(type)
+  return head.kind === "con" && /^\(,+\)$/.test(head.name) ? args.length : 0
+}
+
+/// The sides of a type `Either a b`, as they are written.
+function sidesOf(type: string): readonly [string, string] | undefined {
+  const bare = /^\((.*)\)$/s.exec(type)?.[1] ?? type
+  const parsed = parseType(bare)
+  if (parsed === undefined) return undefined
+  const {head, args} = spine(parsed)
+  const [left, right] = args
+  return head.kind === "con" && head.name === "Either" && left !== undefined && right !== undefined
+    ? [showType(left), showType(right)]
+    : undefined
+}
+
+function withoutIds(block: SavedBlock): SavedBlock {
+  return JSON.parse(JSON.stringify(block, (key, value) => (key === "id" ? undefined : value)))
+}

@@ -1,0 +1,104 @@
+/// A function's type as text: where its arguments and its result stand, and insertions that leave every other character as it is.
+
+import {isAtomicType} from "../haskell/type_text.ts"
+import {tokens} from "../source/lexer.ts"
+
+interface Range {
+  readonly start: number
+  readonly end: number
+}
+
+export interface SignatureParts {
+  /// Without the arrows and the space around them.
+  readonly arguments: readonly Range[]
+  readonly result: Range
+}
+
+/// The parts of a type such as `Ord a => a -> Maybe b`; undefined where it is quantified.
+export function signatureParts(text: string): SignatureParts | undefined {
+  if (/\bforall\b|∀/u.test(text)) return undefined
+  const comments = tokens(text).filter(token => token.kind === "comment" || token.kind === "string")
+  const ends: {at: number; length: number}[] = []
+  let depth = 0
+  let start = 0
+  for (let i = 0; i < text.length; i++) {
+    const skipped = comments.find(comment => comment.start === i)
+    if (skipped !== undefined) {
+      i = skipped.end - 1
+      continue
+    }
+    const c = text[i] ?? ""
+    if ("([{".includes(c)) depth++
+    else if (")]}".includes(c)) depth--
+    else if (depth === 0) {
+      const arrow = /^(?:=>|⇒)/.exec(text.slice(i, i + 2))
+      if (arrow !== null) {
+        start = i + arrow[0].length
+        ends.length = 0
+        i = start - 1
+      }
+      const step = /^(?:->|→)/.exec(text.slice(i, i + 2))
+      if (step !== null) {
+        ends.push({at: i, length: step[0].length})
+        i += step[0].length - 1
+      }
+    }
+  }
+  const parts: Range[] = []
+  for (const {at, length} of ends) {
+    parts.push(trimmed(text, start, at, comments))
+    start = at + length
+  }
+  return {arguments: parts, result: trimmed(text, start, text.length, comments)}
+}
+
+/// A range without space and comments around it.
+function trimmed(text: string, start: number, end: number, comments: readonly Range[]): Range {
+  for (let moved = true; moved; ) {
+    moved = false
+    while (start < end && /\s/.test(text[start] ?? "")) start++
+    while (end > start && /\s/.test(text[end - 1] ?? "")) end--
+    for (const comment of comments) {
+      if (comment.start === start && comment.end <= end) [start, moved] = [comment.end, true]
+      if (comment.end === end && comment.start >= start && start < end) [end, moved] = [comment.start, true]
+    }
+  }
+  return {start, end}
+}
+
+export const textOf = (text: string, {start, end}: Range): string => text.slice(start, end)
+
+/// A type as an argument of another one.
+const bracketed = (type: string): string => (isAtomicType(type) ? type : `(${type})`)
+
+/// With one more argument before all others, or behind them.
+export function withArgument(text: string, parts: SignatureParts, type: string, first: boolean): string {
+  const at = first ? (parts.arguments[0] ?? parts.result).start : parts.result.start
+  return `${text.slice(0, at)}${type} -> ${text.slice(at)}`
+}
+
+/// With `Either` around an argument and another type.
+export function withAlternative(text: string, argument: Range, type: string): string {
+  const {start, end} = argument
+  return `${text.slice(0, start)}Either ${bracketed(textOf(text, argument))} ${bracketed(type)}${text.slice(end)}`
+}
+
+/// With one more part in the result; `flat` where the result is a tuple already.
+export function withResultPart(text: string, {result}: SignatureParts, type: string, flat: boolean): string {
+  const {start, end} = result
+  return flat
+    ? `${text.slice(0, end - 1)}, ${type}${text.slice(end - 1)}`
+    : `${text.slice(0, start)}(${textOf(text, result)}, ${type})${text.slice(end)}`
+}
+
+/// Without an argument and the arrow behind it.
+export function withoutArgument(text: string, parts: SignatureParts, i: number): string {
+  const from = parts.arguments[i]
+  const next = parts.arguments[i + 1] ?? parts.result
+  return from === undefined ? text : text.slice(0, from.start) + text.slice(next.start)
+}
+
+/// With another text in the place of an argument.
+export function withReplaced(text: string, {start, end}: Range, by: string): string {
+  return text.slice(0, start) + by + text.slice(end)
+}

@@ -1,0 +1,107 @@
+/// The functions of a program with what they take and send, as inference knows them: also of a program with empty places, which the compiler does not report.
+///
+/// Tasks, and functions of other types than those of the robot, of memories and of the program's own events, are left out.
+
+import {chain} from "../blocks/block_reader.ts"
+import {commands, events, states} from "../robot/roles.ts"
+import type {SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
+import {type Environment, expand} from "../types/environment/environment.ts"
+import {asFunction, metasIn, showType, spine, type Type} from "../types/syntax/type.ts"
+import {parseSignature} from "../types/syntax/type_parser.ts"
+import {InferenceSession} from "../workspace/inference/inference_session.ts"
+import {everyBlockIn} from "../workspace/inference/workspace_inference.ts"
+import {isPlaced} from "./simulated_places.ts"
+
+/// As in the compiler's report (`protocol/README.md` §3, *Graph*).
+export type WrittenShape =
+  | {readonly kind: "all"; readonly of: readonly WrittenShape[]}
+  | {readonly kind: "either"; readonly of: readonly WrittenShape[]}
+  | {readonly kind: "maybe"; readonly of: WrittenShape}
+  | {readonly kind: "each"; readonly of: WrittenShape}
+  | {
+      readonly kind: "type"
+      readonly written: string
+      readonly spelled: string
+      readonly own: boolean
+      readonly topic: null
+    }
+
+export interface WrittenFunction {
+  readonly name: string
+  /// Whether `simulate` runs it by its name.
+  readonly runs: boolean
+  readonly inputs: readonly WrittenShape[]
+  readonly output: WrittenShape
+}
+
+export interface WrittenNetwork {
+  readonly functions: readonly WrittenFunction[]
+  /// Whether the places of `simulate` are known; else nothing is said of what runs.
+  readonly hasSimulate: boolean
+}
+
+export function writtenNetwork(workspace: SavedWorkspace, session = new InferenceSession()): WrittenNetwork {
+  const {inference, globals} = session.inferWorkspace(workspace)
+  const tops = workspace.blocks.blocks.flatMap(chain)
+  const main = tops.find(({type}) => type === "main")
+  const own = new Set(tops.flatMap(({type, extraState}) => (type === "data" ? String(extraState?.name) : [])))
+  const used = usesIn(tops)
+  const functions = tops.flatMap((block): WrittenFunction[] => {
+    const {name, signature} = block.extraState ?? {}
+    if (block.type !== "define" || typeof name !== "string" || name === "main") return []
+    const written = typeof signature === "string" ? parseSignature(signature)?.type : undefined
+    const type = written ?? globals.get(name)?.type
+    if (type === undefined || metasIn(type).size > 0) return []
+    const inputs: WrittenShape[] = []
+    let output = type
+    for (let f = asFunction(output); f !== undefined; f = asFunction(output)) {
+      const input = shapeOf(f.from, inference.env, own)
+      if (input === undefined) return []
+      inputs.push(input)
+      output = f.to
+    }
+    const sent = shapeOf(output, inference.env, own)
+    const runs = main !== undefined && isPlaced(main, name)
+    if (sent === undefined || (!runs && used.has(name))) return []
+    return [{name, runs, inputs, output: sent}]
+  })
+  return {functions, hasSimulate: main !== undefined}
+}
+
+/// The names in each definition but its own, so that a helper is told from what could run.
+function usesIn(tops: readonly SavedBlock[]): ReadonlySet<string> {
+  const used = new Set<string>()
+  for (const top of tops) {
+    const own = top.extraState?.name
+    for (const {type, extraState} of everyBlockIn({...top, next: {}})) {
+      if (type === "name" && typeof extraState?.name === "string" && extraState.name !== own)
+        used.add(extraState.name)
+      if (type.startsWith("raw"))
+        for (const word of String(extraState?.text).match(/[\p{L}_][\p{L}\p{N}_']*/gu) ?? []) used.add(word)
+    }
+  }
+  return used
+}
+
+const values = new Set(["Seconds", "Clock", "StdGen", "()"])
+const holders = new Set(["Memory", "Param", "Done"])
+
+/// Undefined for a type that is no shape of a reactive function (rules R14 and R15).
+function shapeOf(type: Type, env: Environment, own: ReadonlySet<string>): WrittenShape | undefined {
+  const written = showType(type)
+  const meaning = expand(type, env)
+  const {head, args} = spine(meaning)
+  if (head.kind !== "con") return undefined
+  const parts = args.map(arg => shapeOf(arg, env, own))
+  const all = parts.flatMap(part => part ?? [])
+  const {name} = head
+  if (name === "Either" || /^\(,+\)$/.test(name))
+    return all.length < args.length ? undefined : {kind: name === "Either" ? "either" : "all", of: all}
+  if (name === "Maybe" || name === "[]") {
+    const [of] = all
+    return of === undefined ? undefined : {kind: name === "Maybe" ? "maybe" : "each", of}
+  }
+  const isKnown = events.has(name) || states.has(name) || commands.has(name) || values.has(name)
+  if (!own.has(name) && !holders.has(name) && !isKnown) return undefined
+  return {kind: "type", written, spelled: showType(meaning), own: own.has(name), topic: null}
+}

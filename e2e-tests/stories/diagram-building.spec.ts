@@ -1,0 +1,146 @@
+/// A program that backs off at a wall, wired in the diagram from an empty program: by mouse, and by keyboard in the list form. Its equations are typed.
+
+import {AxeBuilder} from "@axe-core/playwright"
+import {expect, type Locator, type Page} from "@playwright/test"
+import {boxAtRest} from "./at_rest.ts"
+import {Learner} from "./learner.ts"
+import {test} from "./story.ts"
+
+const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
+const node = (page: Page, name: RegExp) => diagram(page).getByRole("button", {name})
+
+async function begins(page: Page): Promise<Learner> {
+  const learner = new Learner(page)
+  await page.setViewportSize({width: 1366, height: 768})
+  await learner.opens("move")
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  await page.getByText("New program").click()
+  await expect(learner.haskell()).toContainText("simulate _")
+  await page.getByRole("button", {name: "Diagram", exact: true}).click()
+  await expect(diagram(page)).toContainText("The program simulates nothing yet.")
+  return learner
+}
+
+/// Fills the first empty place of the text.
+async function fills(learner: Learner, answer: string): Promise<void> {
+  await learner.findsInHaskell("_")
+  await learner.page.keyboard.type(answer)
+}
+
+const written = `backOff :: Bumper -> Velocity
+backOff (Bumper side status) = Velocity (-0.2) 0
+
+go :: Velocity
+go = Velocity 0.3 0
+
+main :: IO ()
+main = simulate (priority 1 backOff go)`
+
+/// The robot drives into the wall, and away from it.
+async function backsOff(learner: Learner): Promise<void> {
+  await expect.poll(() => learner.haskellText()).toBe(written)
+  await learner.page.getByLabel("Speed", {exact: true}).selectOption("4")
+  await learner.runsUntil(
+    "speed",
+    v => v > 0.2,
+    v => v < -0.05,
+    v => v > 0.2,
+  )
+  await learner.stops()
+}
+
+async function drags(page: Page, from: Locator, to: Locator): Promise<void> {
+  const middle = async (end: Locator) => {
+    const box = await boxAtRest(end)
+    return {x: box.x + box.width / 2, y: box.y + box.height / 2}
+  }
+  const [start, end] = [await middle(from), await middle(to)]
+  await page.mouse.move(start.x, start.y)
+  await page.mouse.down()
+  await page.mouse.move(end.x, end.y, {steps: 5})
+}
+
+test("by mouse: sensors are dragged onto an actuator, and what does not fit says why", async ({page}) => {
+  const learner = await begins(page)
+  const end = (name: string) =>
+    diagram(page)
+      .getByRole("listitem")
+      .filter({hasText: new RegExp(`^${name}$`)})
+  await drags(page, end("Bumper"), end("Velocity").last())
+  await expect(diagram(page)).toContainText("New function: Bumper → Velocity")
+  await page.mouse.up()
+  const asked = diagram(page).getByLabel("Name of the function")
+  await expect(asked).toBeFocused()
+  await asked.fill("backOff")
+  await asked.press("Enter")
+  await expect(node(page, /^backOff: function/)).toBeVisible()
+  await expect(learner.definition("backOff")).toBeVisible()
+  await learner.keeps("diagram-built-function")
+
+  // A command gives nothing.
+  await drags(page, node(page, /^Velocity: command/), node(page, /^backOff: function/))
+  await expect(diagram(page)).toContainText("An actuator takes values and gives none.")
+  await page.mouse.up()
+  await expect(diagram(page).getByRole("alert")).toContainText("Start at a sensor or a function.")
+
+  await diagram(page).getByRole("button", {name: "Sensors"}).click()
+  await drags(page, end("tick"), node(page, /^Velocity: command/))
+  await page.mouse.up()
+  await asked.fill("go")
+  await asked.press("Enter")
+  await expect(node(page, /^go: function/)).toBeVisible()
+
+  await fills(learner, "Velocity (-0.2) 0")
+  await fills(learner, "Velocity 0.3 0")
+  await page.getByRole("tab", {name: /Problems/}).click()
+  await page.getByRole("button", {name: "Let backOff go first, for 1 s"}).first().click()
+  await backsOff(learner)
+})
+
+test("by keyboard: the list form connects, renames, copies and undoes", async ({page}) => {
+  const learner = await begins(page)
+  await diagram(page).getByRole("button", {name: "As a list"}).press("Enter")
+  const connects = async (from: string, to: string) => {
+    await diagram(page).getByRole("combobox", {name: "From"}).selectOption(from)
+    await diagram(page).getByRole("combobox", {name: "To", exact: true}).selectOption(to)
+    await diagram(page).getByRole("button", {name: "Connect"}).press("Enter")
+  }
+  const asked = diagram(page).getByLabel("Name of the function")
+  await connects("event Bumper", "command Velocity")
+  await asked.fill("flee")
+  await asked.press("Enter")
+  const actions = diagram(page).getByRole("group", {name: /^What can be done with/})
+  await actions.getByRole("button", {name: "Rename"}).press("Enter")
+  await asked.fill("backOff")
+  await asked.press("Enter")
+  await expect(learner.haskell()).toContainText("simulate backOff")
+
+  // A second sensor: both or either, and undone.
+  await connects("event Cliff", "function backOff")
+  await expect(diagram(page).getByRole("radio", {name: /^Both:/})).toBeFocused()
+  await page.keyboard.press("ArrowDown")
+  await page.keyboard.press("Enter")
+  await expect(learner.haskell()).toContainText("backOff :: Either Bumper Cliff -> Velocity")
+  await page.getByRole("button", {name: "Undo"}).press("Enter")
+  await expect(learner.haskell()).toContainText("backOff :: Bumper -> Velocity")
+
+  // A copy stands beside until it is run, and is deleted again.
+  await actions.getByRole("button", {name: "Duplicate"}).press("Enter")
+  await asked.press("Enter")
+  await diagram(page).getByRole("button", {name: "backOff2: Run it in the program"}).press("Enter")
+  await expect(learner.haskell()).toContainText("simulate (backOff, backOff2)")
+  const {violations} = await new AxeBuilder({page}).include(".region.diagram").analyze()
+  expect(violations).toEqual([])
+  await learner.keeps("diagram-built-list")
+  await actions.getByRole("button", {name: "Delete"}).press("Enter")
+  await expect(learner.haskell()).not.toContainText("backOff2")
+
+  await connects("sample ()", "command Velocity")
+  await asked.fill("go")
+  await asked.press("Enter")
+  await fills(learner, "Velocity (-0.2) 0")
+  await fills(learner, "Velocity 0.3 0")
+  await page.getByRole("tab", {name: /Problems/}).press("Enter")
+  await page.getByRole("button", {name: "Let backOff go first, for 1 s"}).first().press("Enter")
+  await backsOff(learner)
+})

@@ -1,0 +1,277 @@
+/// Class bar, card to join, card with the three words, and the eyes-up message.
+
+import type {Signal} from "@preact/signals"
+import type {VNode} from "preact"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {privacyPage} from "../../help/help_links.ts"
+import type {Program} from "../../program/program.ts"
+import {TextEntry} from "../../ui/text_entry.tsx"
+import type {OwnComment, OwnTask} from "../../wire/classroom/pupil_messages.generated.ts"
+import {words} from "../../words/index.ts"
+import type {ClassState} from "./class_state.ts"
+import {CommentLines} from "./comment_lines.tsx"
+import type {SharingCommands} from "./pupil_sharing.ts"
+import {SharingLine} from "./sharing_lines.tsx"
+import {TaskLines} from "./task_lines.tsx"
+
+/// What the card and the bar show, and their commands.
+export interface ClassDesk extends SharingCommands {
+  readonly state: Signal<ClassState>
+  readonly code: string
+  readonly isTeacher: boolean
+  join(code: string, nickname: string): void
+  resume(code: string, typedWords: string): void
+  showCard(card: ClassState["card"]): void
+  raiseHand(up: boolean): void
+  openHandout(): void
+  foldHandout(folded: boolean): void
+  handIn(task: number): void
+  closeComment(task: OwnTask): void
+  leave(): void
+  /// The open program with its entry in the program store.
+  readonly open: {readonly value: {readonly program: Program; readonly id: string | null}}
+  nameOf(program: string): string | null
+  showComment(comment: OwnComment): void
+  openProgram(program: string): void
+  setDone(comment: OwnComment, done: boolean): void
+}
+
+interface Props {
+  readonly desk: ClassDesk
+}
+
+export function ClassBar({desk}: Props): VNode {
+  const w = words.classroom
+  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = desk.state.value
+  const isSaved = link === "open" && (saved === "saved" || saved === "saving")
+  return (
+    <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
+      {member === null ? (
+        desk.isTeacher ? (
+          <a href="board">{w.openBoard}</a>
+        ) : (
+          <button type="button" class="plain" onClick={() => desk.showCard("join")}>
+            {w.join}
+          </button>
+        )
+      ) : (
+        <>
+          <div class={isSaved ? "class-who" : "class-who is-long"}>
+            <b class="class-nickname">
+              <bdi>{member.nickname}</bdi>
+            </b>
+            <span class="quiet" role="status" data-testid="class-saved">
+              {link === "open" ? w.saved[saved] : w.saved.offline}
+            </span>
+          </div>
+          {handout !== null && isHandoutFolded && (
+            <button type="button" class="plain" onClick={() => desk.foldHandout(false)}>
+              {w.fromTeacher}
+            </button>
+          )}
+          <button type="button" class="plain" aria-pressed={hand} onClick={() => desk.raiseHand(!hand)}>
+            {hand ? w.lowerHand : w.raiseHand}
+          </button>
+          <button type="button" class="plain" onClick={() => desk.showCard("words")}>
+            {w.myWords}
+          </button>
+        </>
+      )}
+      {member !== null && (
+        <TaskLines state={desk.state.value} handIn={desk.handIn} closeComment={desk.closeComment} />
+      )}
+      {member !== null && blockComments.length > 0 && (
+        <CommentLines
+          comments={blockComments}
+          {...desk.open.value}
+          nameOf={desk.nameOf}
+          show={desk.showComment}
+          open={desk.openProgram}
+          setDone={desk.setDone}
+        />
+      )}
+      {member !== null && sharing !== null && (
+        <SharingLine
+          sharing={sharing}
+          allowSharing={desk.allowSharing}
+          declineSharing={desk.declineSharing}
+          endSharing={desk.endSharing}
+        />
+      )}
+      {member !== null && handout !== null && !isHandoutFolded && (
+        <p class="class-handout" role="status">
+          <span>{w.handouts[handout.what](handout.name)}</span>
+          <button type="button" class="plain" onClick={desk.openHandout}>
+            {w.openHandout}
+          </button>
+          <button type="button" class="plain" onClick={() => desk.foldHandout(true)}>
+            {w.later}
+          </button>
+        </p>
+      )}
+    </section>
+  )
+}
+
+export function ClassDialogs({desk}: Props): VNode {
+  const {card, attention} = desk.state.value
+  return (
+    <>
+      {card !== null && (
+        <Modal
+          label={card === "join" ? words.classroom.title : words.classroom.wordsTitle}
+          close={() => desk.showCard(null)}
+        >
+          {card === "join" ? <JoinCard desk={desk} /> : <WordsCard desk={desk} />}
+        </Modal>
+      )}
+      {attention !== null && (
+        <Modal label={words.classroom.eyesUp} close={null}>
+          <p class="class-attention" role="alert" data-testid="eyes-up">
+            {attention === "" ? words.classroom.eyesUp : attention}
+          </p>
+        </Modal>
+      )}
+    </>
+  )
+}
+
+interface ModalProps {
+  readonly label: string
+  /// `null` for a dialog that only the teacher ends.
+  readonly close: (() => void) | null
+  readonly children: VNode | VNode[]
+}
+
+function Modal({label, close, children}: ModalProps): VNode {
+  const dialog = useRef<HTMLDialogElement>(null)
+  useLayoutEffect(() => {
+    const element = dialog.current
+    element?.showModal()
+    return () => element?.close()
+  }, [])
+  return (
+    <dialog
+      class="class-card"
+      ref={dialog}
+      aria-label={label}
+      onCancel={event => {
+        event.preventDefault()
+        close?.()
+      }}
+      onKeyDown={event => event.stopPropagation()}
+    >
+      {children}
+    </dialog>
+  )
+}
+
+function JoinCard({desk}: Props): VNode {
+  const w = words.classroom
+  const {asked, refused, link} = desk.state.value
+  const [returns, setReturns] = useState(false)
+  const [code, setCode] = useState(desk.code)
+  const [nickname, setNickname] = useState("")
+  const [typedWords, setTypedWords] = useState("")
+  const fault =
+    link !== "open"
+      ? w.noConnection
+      : refused === null
+        ? null
+        : (w.refused as Record<string, string>)[refused]
+  return (
+    <form
+      class="class-form"
+      onSubmit={event => {
+        event.preventDefault()
+        if (returns) desk.resume(code, typedWords)
+        else desk.join(code, nickname)
+      }}
+    >
+      <h2>{w.title}</h2>
+      <p class="quiet">{returns ? w.leadReturn : w.lead}</p>
+      <TextEntry
+        label={w.code}
+        value={code}
+        required
+        maxLength={20}
+        autocomplete="off"
+        autocapitalize="none"
+        spellcheck={false}
+        set={setCode}
+      />
+      {returns ? (
+        <TextEntry
+          label={w.threeWords}
+          value={typedWords}
+          required
+          maxLength={60}
+          autocomplete="off"
+          autocapitalize="none"
+          spellcheck={false}
+          set={setTypedWords}
+        />
+      ) : (
+        <TextEntry
+          label={w.nickname}
+          value={nickname}
+          required
+          maxLength={24}
+          autocomplete="off"
+          spellcheck={false}
+          set={setNickname}
+        />
+      )}
+      {fault !== null && (
+        <p class="refused" role="alert">
+          {fault}
+        </p>
+      )}
+      <button type="submit" class="primary" disabled={asked}>
+        {returns ? w.goOn : w.join}
+      </button>
+      <p class="class-others">
+        <button type="button" class="plain" onClick={() => setReturns(!returns)}>
+          {returns ? w.iAmNew : w.wasHere}
+        </button>
+        <button type="button" class="plain" onClick={() => desk.showCard(null)}>
+          {w.without}
+        </button>
+      </p>
+      <p class="quiet class-privacy">
+        {w.privacy}{" "}
+        <a href={privacyPage} target="_blank" rel="noreferrer">
+          {words.readMore}
+        </a>
+      </p>
+    </form>
+  )
+}
+
+function WordsCard({desk}: Props): VNode {
+  const w = words.classroom
+  const {member, saved, link} = desk.state.value
+  return (
+    <div class="class-form">
+      <h2>{w.wordsTitle}</h2>
+      <p class="class-words" lang="mul" data-testid="three-words">
+        {member?.words}
+      </p>
+      <p class="quiet">{w.wordsLead}</p>
+      <button type="button" class="primary" onClick={() => desk.showCard(null)}>
+        {w.wordsDone}
+      </button>
+      <p class="class-others">
+        <button
+          type="button"
+          class="plain"
+          disabled={saved !== "saved" || link !== "open"}
+          title={w.leaveHint}
+          onClick={desk.leave}
+        >
+          {w.leave}
+        </button>
+      </p>
+    </div>
+  )
+}

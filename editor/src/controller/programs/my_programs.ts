@@ -1,0 +1,76 @@
+/// The learner's programs in this browser: open, rename, duplicate, delete and restore. The program that is open on the page stays consistent with its entry in the store.
+
+import {parseProject, saveProject} from "@rosy/codegen"
+import {readBlockPicture} from "../../browser/block_picture.ts"
+import type {Store} from "../../browser/store.ts"
+import type {ProgramStore} from "../../storage/program_store.ts"
+import type {AppController, MyPrograms} from "../../ui/app_context.ts"
+import {words} from "../../words/index.ts"
+import {freshName, freshPlace} from "./autosave.ts"
+import type {ProgramLoader} from "./program_loader.ts"
+
+type MyProgramCommands = Pick<AppController, "openMyPrograms" | "myPrograms">
+
+export function myProgramCommands(
+  store: Store,
+  loader: ProgramLoader,
+  shelf: ProgramStore,
+): MyProgramCommands {
+  return {
+    openMyPrograms() {
+      loader.store()
+      store.dispatch({kind: "dialog", dialog: "programs"})
+    },
+    myPrograms: openMyPrograms(store, loader, shelf),
+  }
+}
+
+function openMyPrograms(store: Store, loader: ProgramLoader, shelf: ProgramStore): MyPrograms {
+  const isOpen = (id: string) => loader.storedId() === id
+  const nameOf = (id: string) => shelf.programs().find(program => program.id === id)?.name ?? ""
+  return {
+    list: shelf.programs,
+    deleted: shelf.deleted,
+    picture: id => readBlockPicture(shelf.picture(id)),
+    isOpen,
+    open(id) {
+      const text = shelf.read(id)
+      if (text !== null) loader.openText(words.yourProgram, text, {id})
+    },
+    rename(id, name) {
+      if (isOpen(id)) {
+        store.dispatch({kind: "renamed", name})
+        loader.store()
+        return
+      }
+      const text = shelf.read(id)
+      if (text !== null) shelf.rename(id, name, renamed(text, name))
+    },
+    duplicate(id) {
+      if (isOpen(id)) loader.store()
+      const text = shelf.read(id)
+      if (text === null) return
+      const name = freshName(nameOf(id), shelf.programs())
+      const copy = freshPlace()
+      shelf.insert(copy, name, renamed(text, name), Date.now())
+      const picture = shelf.picture(id)
+      if (picture !== null) shelf.setPicture(copy, picture)
+      shelf.setReplacedRoom(copy, shelf.replacedRoom(id))
+    },
+    remove(id) {
+      if (isOpen(id)) {
+        // A new program takes the place of the open one, which is stored once more before it is closed.
+        loader.newProgram()
+        store.dispatch({kind: "dialog", dialog: "programs"})
+      }
+      shelf.remove(id, Date.now())
+    },
+    restore: shelf.restore,
+  }
+}
+
+/// A project file with another name; a file that cannot be read stays as it is.
+function renamed(text: string, name: string): string {
+  const parsed = parseProject(text)
+  return parsed.ok ? saveProject({...parsed.project, name}) : text
+}

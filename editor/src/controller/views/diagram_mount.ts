@@ -1,0 +1,191 @@
+/// The diagram in the page: loads it when it is shown for the first time, gives it programs and frames, and leads from a node to its block and line.
+
+import {download, downloadBlob, fileName} from "../../browser/local_files.ts"
+import type {Store} from "../../browser/store.ts"
+import {innermostBlock, offsetOf, selectedDefinition} from "../../program/program.ts"
+import type {ProgramPart} from "../../program/program_graph.ts"
+import {viewOf} from "../../state/arrangement.ts"
+import type {Explanation} from "../../state/messages/why_state.ts"
+import {awaitsProgram, type PageState} from "../../state/page_state.ts"
+import {framesBetween} from "../../state/runs/recording.ts"
+import {shownFrame} from "../../state/runs/room_state.ts"
+import type {AppController} from "../../ui/app_context.ts"
+import {lastOf} from "../../values/last_values.ts"
+import {nodeQuestions} from "../../values/node_questions.ts"
+import type {NetworkEditing} from "../../views/diagram/editing.ts"
+import type {DiagramNode, DiagramView, pendingParts as pendingPartsOf} from "../../views/diagram/index.ts"
+import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
+import {measures, words} from "../../words/index.ts"
+import type {DocumentEditor} from "../document/document_editor.ts"
+import type {PageParts} from "../document/page_parts.ts"
+import {networkEditing} from "./network_editing.ts"
+
+export interface DiagramMount {
+  mount(host: HTMLElement): void
+  readonly commands: AppController["diagram"]
+  /// Once per frame.
+  update(state: PageState, now: number): void
+}
+
+export function openDiagramMount(store: Store, parts: PageParts, editor: DocumentEditor): DiagramMount {
+  let host: HTMLElement | null = null
+  let view: DiagramView | null = null
+  let isLoading = false
+  let editing: NetworkEditing | null = null
+  let shown: readonly ProgramPart[] | null = null
+  let shownOf: unknown = null
+  let run: number | null = null
+  /// Seconds of the run up to which frames have been seen.
+  let seenTo = Number.NEGATIVE_INFINITY
+  let lookedAt: number | null = null
+  let explained: Explanation | null = null
+  let pending: typeof pendingPartsOf | null = null
+
+  const drawn = (outcome: PageState["diagram"]["outcome"]) => store.dispatch({kind: "diagram", outcome})
+  const load = async (into: HTMLElement) => {
+    isLoading = true
+    try {
+      const [{openDiagram, pendingParts}, network] = await Promise.all([
+        import("../../views/diagram/index.ts"),
+        import("@rosy/codegen/network-edits"),
+      ])
+      pending = pendingParts
+      editing = networkEditing(network, store, parts, editor, name => chooseDefinition(store, parts, name))
+      view = openDiagram(into, {
+        words: words.diagram,
+        chosen: node => choose(store, parts, node),
+        valueClicked(node) {
+          const {room} = store.now
+          const time = room.lookedAt ?? room.frame?.time ?? null
+          const question = time === null || room.run === null ? undefined : nodeQuestions(node, time)[0]
+          if (question !== undefined) store.dispatch({kind: "why", event: {kind: "asked", question}})
+        },
+        lastOf: node => lastOf(store.now.room, node, words.why, measures),
+        typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
+        drawn,
+      })
+      store.redraw()
+    } catch {
+      drawn("failed")
+    }
+  }
+
+  const live = (state: PageState, diagram: DiagramView, now: number) => {
+    const {room} = state
+    if (room.run !== run || room.lookedAt !== lookedAt) {
+      diagram.clear()
+      run = room.run
+      lookedAt = room.lookedAt
+      // After looking back only what is new lights up; values come with the first frame.
+      seenTo =
+        lookedAt === null && room.frame !== null && room.frame.time > 1
+          ? room.frame.time - 1
+          : Number.NEGATIVE_INFINITY
+    }
+    if (lookedAt !== null) {
+      diagram.at(shownFrame(room), now)
+      return
+    }
+    const frames = [...framesBetween(room.recording, seenTo, Number.POSITIVE_INFINITY)].filter(
+      f => f.time > seenTo,
+    )
+    seenTo = frames.at(-1)?.time ?? seenTo
+    if (diagram.live(frames, now)) store.redraw()
+  }
+
+  return {
+    mount(into) {
+      host = into
+      // While a node may be asked for its last value, the page follows the firings.
+      const points = (isPointedAt: boolean) => store.dispatch({kind: "diagram-pointed", isPointedAt})
+      into.addEventListener("pointerenter", () => points(true))
+      into.addEventListener("pointerleave", () => points(false))
+      into.addEventListener("focusin", () => points(true))
+      into.addEventListener("focusout", () => points(false))
+    },
+    update(state, now) {
+      if (host === null || !isShown(state)) return
+      if (view === null) {
+        if (!isLoading) void load(host)
+        return
+      }
+      const {network, document} = state
+      // A program with an empty place is not reported; what its text says of it is shown all the same.
+      const isReported =
+        network !== null && (network.text === document.program.text || document.dimmed.length > 0)
+      const of = isReported ? network : document.workspace
+      if (of !== shownOf && !awaitsProgram(state)) {
+        shownOf = of
+        const defined = new Set(document.program.definitions.map(d => d.name))
+        const now =
+          isReported || editing === null || pending === null
+            ? (network?.parts ?? null)
+            : pending(network?.parts ?? [], editing.written(), defined)
+        if (now !== null && JSON.stringify(now) !== JSON.stringify(shown)) {
+          shown = now
+          view.show(now, network?.text ?? document.program.text)
+        }
+      }
+      const answer = state.why.open?.answer ?? null
+      if (answer !== explained) {
+        explained = answer
+        view.explain(answer === null ? noPath : causalPath(answer))
+      }
+      view.select(selectedDefinition(state.document.program, state.selected))
+      live(state, view, now)
+    },
+    commands: {
+      editing: () => editing,
+      tidy: () => view?.tidy(),
+      list: path => view?.list(path) ?? [],
+      choose: id => view?.chooseById(id),
+      saveSvg() {
+        void view?.svgFile().then(file => download(nameOf(store, "svg"), file, "image/svg+xml"))
+      },
+      savePng() {
+        void view?.pngFile().then(file => file !== null && downloadBlob(nameOf(store, "png"), file))
+      },
+    },
+  }
+}
+
+const nameOf = (store: Store, extension: string) =>
+  fileName(`${store.now.name} ${words.diagram.file}`.trim(), extension)
+
+/// Whether the diagram is to be seen.
+function isShown({size, region, arrangement}: PageState): boolean {
+  if (size === "phone") return region === "diagram"
+  return size === "tablet" ? viewOf(arrangement) === "diagram" : !arrangement.hidden.includes("diagram")
+}
+
+/// Selects a definition in blocks and text.
+function chooseDefinition(store: Store, parts: PageParts, name: string): void {
+  const definition = store.now.document.program.definitions.find(d => d.name === name)
+  if (definition === undefined) return
+  parts.source?.reveal({start: definition.start, end: definition.end})
+  store.dispatch({kind: "selected", block: definition.block, in: "blocks"})
+  if (!store.now.arrangement.hidden.includes("blocks")) parts.blocks?.select(definition.block)
+}
+
+/// Selects the block of a node and shows its text.
+function choose(store: Store, parts: PageParts, node: DiagramNode): void {
+  store.dispatch({kind: "node-chosen", node: {kind: node.kind, key: node.key}})
+  const {program} = store.now.document
+  const definition = program.definitions.find(d => d.name === node.key)
+  const {at} = node
+  const isCurrent = store.now.network?.text === program.text
+  const place =
+    at === null || !isCurrent
+      ? null
+      : {
+          start: offsetOf(program.text, at),
+          end: offsetOf(program.text, {line: at.endLine, column: at.endColumn}),
+        }
+  const range = definition ?? place
+  if (range === null) return
+  const block = definition?.block ?? innermostBlock(program.spans, range)
+  parts.source?.reveal({start: range.start, end: range.end})
+  if (block === null) return
+  store.dispatch({kind: "selected", block, in: "blocks"})
+  if (!store.now.arrangement.hidden.includes("blocks")) parts.blocks?.select(block)
+}

@@ -1,0 +1,112 @@
+/// Edits of the program in the diagram: what a connection would be, and the change of the text that an edit makes.
+
+import type {NetworkAction, NetworkRefusal, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {Store} from "../../browser/store.ts"
+import {changesBetween} from "../../program/text_changes.ts"
+import type {NetworkEditing} from "../../views/diagram/editing.ts"
+import {
+  actionOf,
+  asksName,
+  type Connection,
+  connectionOf,
+  joinings,
+  suggestedName,
+} from "../../views/diagram/network/connections.ts"
+import {words} from "../../words/index.ts"
+import type {DocumentEditor} from "../document/document_editor.ts"
+import type {PageParts} from "../document/page_parts.ts"
+
+/// The module of codegen that edits networks, loaded with the diagram.
+export type NetworkModule = typeof import("@rosy/codegen/network-edits")
+
+export function networkEditing(
+  network: NetworkModule,
+  store: Store,
+  parts: PageParts,
+  editor: DocumentEditor,
+  show: (definition: string) => void,
+): NetworkEditing {
+  // Types of definitions that stay the same are remembered from one edit to the next.
+  const session = new network.InferenceSession()
+  let known: {readonly workspace: unknown; readonly written: WrittenNetwork} | null = null
+  const written = () => {
+    const {workspace} = store.now.document
+    if (known?.workspace !== workspace)
+      known = {workspace, written: network.writtenNetwork(workspace, session)}
+    return known.written
+  }
+  const tryOut = (action: NetworkAction) => {
+    const {view} = store.now.document
+    return parts.reader === null || view === null
+      ? null
+      : network.networkEdit(parts.reader, view, action, session)
+  }
+  const sentence = (refusal: NetworkRefusal) => network.refusalSentence(refusal)
+  const taken = () => new Set(store.now.document.program.definitions.map(d => d.name))
+  return {
+    written,
+    propose(from, to) {
+      editor.flush()
+      const connection = connectionOf(from, to, name => ownEventsOf(written(), name))
+      if (typeof connection === "string")
+        return {kind: "refused", why: words.diagram.edit.misfits[connection]}
+      const name = suggestedName(connection, taken())
+      const outcomes = joinings(connection).map(as => [as, tryOut(actionOf(connection, name, as))] as const)
+      const fitting = outcomes.flatMap(([as, outcome]) => (outcome?.ok ? [as] : []))
+      const [first] = outcomes
+      const refusal = first?.[1]
+      if (fitting.length === 0)
+        return {
+          kind: "refused",
+          why:
+            refusal == null || refusal.ok
+              ? words.diagram.edit.misfits["not-here"]
+              : sentence(refusal.refusal),
+        }
+      return {
+        kind: "offered",
+        connection,
+        title: titleOf(connection),
+        asks: asksName(connection),
+        name,
+        joinings: fitting,
+      }
+    },
+    edit(action) {
+      editor.flush()
+      const outcome = tryOut(action)
+      if (outcome === null) return words.diagram.edit.misfits["not-here"]
+      if (!outcome.ok) return sentence(outcome.refusal)
+      editor.changeText(changesBetween(store.now.document.program.text, outcome.text))
+      editor.showBlocks()
+      if (outcome.selects !== undefined) show(outcome.selects)
+      return null
+    },
+  }
+}
+
+function titleOf(connection: Connection): string {
+  const say = words.diagram.edit
+  switch (connection.kind) {
+    case "new-function":
+      return say.newFunction(connection.sensor === "()" ? null : connection.sensor, connection.actuator)
+    case "input":
+      return say.takes(connection.function, connection.type)
+    case "output":
+      return say.sends(connection.function, connection.type)
+    default:
+      return connection.event === null
+        ? say.newEvent(connection.from, connection.to)
+        : say.takes(connection.to, connection.event)
+  }
+}
+
+/// The program's own events among what a function sends.
+function ownEventsOf({functions}: WrittenNetwork, name: string): readonly string[] {
+  type Shape = WrittenNetwork["functions"][number]["output"]
+  const inside = (shape: Shape): readonly string[] => {
+    if (shape.kind === "type") return shape.own ? [shape.written] : []
+    return shape.kind === "all" || shape.kind === "either" ? shape.of.flatMap(inside) : inside(shape.of)
+  }
+  return functions.filter(f => f.name === name).flatMap(f => inside(f.output))
+}

@@ -1,0 +1,407 @@
+/// Building in the diagram: sensors at the left, actuators at the right, what is asked when a connection is made, and what can be done with the selected function.
+/// The list form has the same as menus and buttons.
+
+import type {NetworkAction, WrittenFunction, WrittenShape} from "@rosy/codegen/network-edits"
+import {commands, events, states, viewedEvent} from "@rosy/codegen/roles"
+import type {RefObject, VNode} from "preact"
+import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {selectedDefinition} from "../../program/program.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {TextEntry} from "../../ui/text_entry.tsx"
+import {openConnectionDrag} from "../../views/diagram/drawing/connection_drag.ts"
+import type {Proposal} from "../../views/diagram/editing.ts"
+import type {Point} from "../../views/diagram/layout/geometry.ts"
+import {actionOf, type ConnectionEnd, firings, type Joining} from "../../views/diagram/network/connections.ts"
+import type {NodeKind} from "../../views/diagram/network/network.ts"
+import {words} from "../../words/index.ts"
+
+/// A question about a connection, at a place of the window.
+export interface Asked {
+  readonly proposal: Proposal & {kind: "offered"}
+  readonly at: Point
+}
+
+const endsOf = (kind: NodeKind, types: readonly string[]) =>
+  types.map((type): ConnectionEnd => ({kind, type}))
+
+/// One-sided views of events come last: most programs take the whole event.
+const isView = (type: string) => viewedEvent(type) !== type
+
+const sensors: readonly ConnectionEnd[] = [
+  ...endsOf("sample", ["()"]),
+  ...endsOf(
+    "event",
+    [...events].filter(type => !isView(type)),
+  ),
+  ...endsOf("state", [...states]),
+  ...endsOf("sample", ["Seconds", "Clock", "StdGen"]),
+  ...endsOf("event", [...events].filter(isView)),
+]
+const actuators = endsOf("command", [...commands])
+
+/// What a pupil's first programs remember.
+const memories = endsOf("store", ["Memory Bool", "Memory Int", "Memory Double"])
+
+const nameOf = ({type}: ConnectionEnd) => (type === "()" ? words.diagram.list.tick : type)
+
+/// The functions of the program as its text has them, read again when it changes.
+export function useWritten(): readonly WrittenFunction[] {
+  const desk = useController()
+  usePageState(s => s.document.workspace)
+  usePageState(s => s.diagram.drawings)
+  return desk.diagram.editing()?.written().functions ?? []
+}
+
+/// A column of ends beside the drawing. It stays folded where the program has wires already, so that the picture stays calm.
+export function Palette({side, isEmpty}: {side: "sensors" | "actuators"; isEmpty: boolean}): VNode {
+  const [isOpen, setIsOpen] = useState<boolean | null>(null)
+  const shown = isOpen ?? isEmpty
+  const {edit} = words.diagram
+  const groups: readonly [string, readonly ConnectionEnd[]][] =
+    side === "sensors"
+      ? [["", sensors]]
+      : [
+          ["", actuators],
+          [edit.memories, memories],
+        ]
+  return (
+    <div class={`diagram-palette of-${side}`}>
+      <button
+        type="button"
+        class="plain small"
+        aria-expanded={shown}
+        title={side === "sensors" ? edit.sensorsHint : edit.actuatorsHint}
+        onClick={() => setIsOpen(!shown)}
+      >
+        {edit[side]}
+      </button>
+      {shown &&
+        groups.map(([title, ends]) => (
+          <ul key={title} aria-label={title === "" ? edit[side] : title}>
+            {ends.map(end => (
+              <li key={end.type} class={`end ${end.kind}`} data-end={end.kind} data-type={end.type}>
+                {nameOf(end)}
+              </li>
+            ))}
+          </ul>
+        ))}
+    </div>
+  )
+}
+
+/// Connects what is dragged from one end to another.
+export function useConnectionDrag(
+  stage: RefObject<HTMLElement>,
+  ask: (proposal: Proposal, at: Point) => void,
+): void {
+  const desk = useController()
+  const answer = useRef(ask)
+  answer.current = ask
+  useEffect(() => {
+    if (stage.current === null) return
+    const propose = (from: ConnectionEnd, to: ConnectionEnd): Proposal =>
+      desk.diagram.editing()?.propose(from, to) ?? {kind: "refused", why: words.diagram.waiting}
+    return openConnectionDrag(stage.current, {
+      verdict(from, to) {
+        const proposal = propose(from, to)
+        return proposal.kind === "offered"
+          ? {fits: true, text: proposal.title}
+          : {fits: false, text: proposal.why}
+      },
+      dropped: (from, to, at) => answer.current(propose(from, to), at),
+    })
+  }, [desk, stage])
+}
+
+/// Asks for the name of what is new and how an event joins others, in the place where the connection was dropped.
+export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}): VNode {
+  const desk = useController()
+  const {proposal, at} = asked
+  const [name, setName] = useState(proposal.name)
+  const [joining, setJoining] = useState<Joining>(proposal.joinings[0] ?? "all")
+  const [why, setWhy] = useState<string | null>(null)
+  const form = useRef<HTMLFormElement>(null)
+  // All of it is seen, also in a low region.
+  useLayoutEffect(() => {
+    const own = form.current
+    if (own === null) return
+    const {width, height} = own.getBoundingClientRect()
+    own.style.left = `${Math.max(8, Math.min(at.x, window.innerWidth - width - 8))}px`
+    own.style.top = `${Math.max(8, Math.min(at.y, window.innerHeight - height - 8))}px`
+  })
+  useEffect(() => {
+    const field = form.current?.querySelector<HTMLElement>(
+      "input[type=text], input[type=radio]:checked, button",
+    )
+    field?.focus()
+    if (field instanceof HTMLInputElement && field.type === "text") field.select()
+  }, [])
+  const {edit} = words.diagram
+  const {connection, asks, joinings} = proposal
+  const isEvent = connection.kind === "functions" || (connection.kind === "input" && connection.isEvent)
+  const make = () => {
+    const refused = desk.diagram.editing()?.edit(actionOf(connection, name.trim(), joining)) ?? null
+    setWhy(refused)
+    if (refused === null) close()
+  }
+  return (
+    <form
+      class="diagram-ask"
+      ref={form}
+      aria-label={proposal.title}
+      onSubmit={event => {
+        event.preventDefault()
+        make()
+      }}
+      onKeyDown={event => {
+        if (event.key !== "Escape") return
+        event.stopPropagation()
+        close()
+      }}
+    >
+      <p class="title">{proposal.title}</p>
+      {asks !== null && (
+        <TextEntry
+          label={asks === "function" ? edit.nameOfFunction : edit.nameOfEvent}
+          value={name}
+          set={setName}
+          autocomplete="off"
+          spellcheck={false}
+        />
+      )}
+      {joinings.length > 1 &&
+        joinings.map(as => (
+          <label key={as} class="joining">
+            <input type="radio" name="joining" checked={joining === as} onChange={() => setJoining(as)} />
+            <span>
+              <b>{as === "all" ? edit.and : edit.or}</b> {as === "all" ? edit.andMeans : edit.orMeans}
+            </span>
+            <Timeline as={as} isEvent={isEvent} />
+          </label>
+        ))}
+      {why !== null && (
+        <p class="refused" role="alert">
+          {why}
+        </p>
+      )}
+      <div class="pair">
+        <button type="submit" class="plain small">
+          {edit.make}
+        </button>
+        <button type="button" class="plain small" onClick={close}>
+          {edit.cancel}
+        </button>
+      </div>
+    </form>
+  )
+}
+
+/// Occurrences of two inputs, in units of the picture, and below them when the function fires.
+const occurrences = {first: [12, 40, 96], second: [26, 68]}
+
+function Timeline({as, isEvent}: {as: Joining; isEvent: boolean}): VNode {
+  const {first, second} = occurrences
+  const rows = [first, second, firings(as, first, second, isEvent)]
+  return (
+    <svg class="joining-timeline" viewBox="0 0 112 44" width="112" height="44" aria-hidden="true">
+      {rows.map((times, i) => {
+        const y = 8 + 14 * i
+        return (
+          <g key={y} class={i === 2 ? "fires" : ""}>
+            <path d={`M2 ${y}H110`} />
+            {times.map(x => (
+              <circle key={x} cx={x} cy={y} r="4" />
+            ))}
+          </g>
+        )
+      })}
+    </svg>
+  )
+}
+
+/// What can be done with the function that is selected in any view.
+export function FunctionActions(): VNode | null {
+  const desk = useController()
+  const written = useWritten()
+  const now = usePageState(s => selectedDefinition(s.document.program, s.selected))
+  // A press of one of the buttons takes the focus from the blocks, and with it the selection.
+  const last = useRef(now)
+  if (now !== null) last.current = now
+  const selected = last.current
+  const [asks, setAsks] = useState<"rename" | "duplicate" | null>(null)
+  const [name, setName] = useState("")
+  const [why, setWhy] = useState<string | null>(null)
+  useEffect(() => {
+    setAsks(null)
+    setWhy(null)
+  }, [selected])
+  const found = written.find(f => f.name === selected)
+  if (found === undefined) return null
+  const {edit} = words.diagram
+  const act = (action: NetworkAction) => {
+    const refused = desk.diagram.editing()?.edit(action) ?? null
+    setWhy(refused)
+    return refused === null
+  }
+  const open = (what: "rename" | "duplicate") => {
+    setAsks(what)
+    setName(what === "rename" ? found.name : `${found.name}2`)
+  }
+  const button = (label: string, press: () => void) => (
+    <button key={label} type="button" class="plain small" onClick={press}>
+      {label}
+    </button>
+  )
+  return (
+    <fieldset class="function-actions" aria-label={edit.actionsOf(found.name)}>
+      <b>{found.name}</b>
+      {asks === null ? (
+        <>
+          {button(edit.rename, () => open("rename"))}
+          {button(edit.duplicate, () => open("duplicate"))}
+          {button(found.runs ? edit.leave : edit.join, () =>
+            act({kind: found.runs ? "leave" : "join", function: found.name}),
+          )}
+          {cuttable(found).map(type =>
+            button(edit.cut(type), () => act({kind: "cut-input", function: found.name, type})),
+          )}
+          {button(edit.remove, () => act({kind: "delete", function: found.name}))}
+        </>
+      ) : (
+        <form
+          onSubmit={event => {
+            event.preventDefault()
+            if (act({kind: asks, function: found.name, name: name.trim()})) setAsks(null)
+          }}
+          onKeyDown={event => {
+            if (event.key === "Escape") setAsks(null)
+          }}
+        >
+          <TextEntry
+            label={edit.nameOfFunction}
+            value={name}
+            set={setName}
+            field={field => field?.focus()}
+            autocomplete="off"
+            spellcheck={false}
+          />
+          <button type="submit" class="plain small">
+            {asks === "rename" ? edit.rename : edit.duplicate}
+          </button>
+          {button(edit.cancel, () => setAsks(null))}
+        </form>
+      )}
+      {why !== null && (
+        <p class="refused" role="alert">
+          {why}
+        </p>
+      )}
+    </fieldset>
+  )
+}
+
+/// The inputs that can be cut off: whole arguments, and the sides of an `Either`.
+function cuttable({inputs}: WrittenFunction): readonly string[] {
+  return inputs.flatMap((shape): readonly string[] => {
+    if (shape.kind === "type") return [shape.written]
+    if (shape.kind !== "either") return []
+    return shape.of.flatMap((one: WrittenShape) => (one.kind === "type" ? [one.written] : []))
+  })
+}
+
+/// Functions that the program defines and does not run.
+export function StandingBeside(): VNode | null {
+  const desk = useController()
+  const beside = useWritten().filter(f => !f.runs)
+  const [why, setWhy] = useState<string | null>(null)
+  if (beside.length === 0) return null
+  const {edit} = words.diagram
+  return (
+    <div class="diagram-beside">
+      <span>{edit.beside}</span>
+      {beside.map(({name}) => (
+        <button
+          key={name}
+          type="button"
+          class="plain small"
+          title={edit.join}
+          aria-label={`${name}: ${edit.join}`}
+          onClick={() => setWhy(desk.diagram.editing()?.edit({kind: "join", function: name}) ?? null)}
+        >
+          {name}
+        </button>
+      ))}
+      {why !== null && (
+        <span class="refused" role="alert">
+          {why}
+        </span>
+      )}
+    </div>
+  )
+}
+
+/// The list form of a drag: from where, and to where.
+export function ConnectionMenu({ask}: {ask: (proposal: Proposal, at: Point) => void}): VNode {
+  const desk = useController()
+  const functions = useWritten().map((f): ConnectionEnd => ({kind: "function", type: f.name}))
+  const stores = usePageStores()
+  const [from, setFrom] = useState("")
+  const [to, setTo] = useState("")
+  const {edit} = words.diagram
+  const sources = [...functions, ...sensors, ...stores]
+  const targets = [...functions, ...actuators, ...stores]
+  const keyOf = ({kind, type}: ConnectionEnd) => `${kind} ${type}`
+  const menu = (label: string, value: string, set: (key: string) => void, ends: readonly ConnectionEnd[]) => (
+    <label class="field">
+      <span>{label}</span>
+      <select value={value} onChange={event => set(event.currentTarget.value)}>
+        <option value="">…</option>
+        {ends.map(end => (
+          <option key={keyOf(end)} value={keyOf(end)}>
+            {nameOf(end)}, {words.diagram.list.kinds[end.kind]}
+          </option>
+        ))}
+      </select>
+    </label>
+  )
+  const chosen = (ends: readonly ConnectionEnd[], key: string) => ends.find(end => keyOf(end) === key)
+  const [start, end] = [chosen(sources, from), chosen(targets, to)]
+  return (
+    <div class="diagram-connect">
+      {menu(edit.from, from, setFrom, sources)}
+      {menu(edit.to, to, setTo, targets)}
+      <button
+        type="button"
+        class="plain small"
+        disabled={start === undefined || end === undefined}
+        onClick={event => {
+          const {left, bottom} = event.currentTarget.getBoundingClientRect()
+          const editing = desk.diagram.editing()
+          if (start !== undefined && end !== undefined && editing !== null)
+            ask(editing.propose(start, end), {x: left, y: bottom})
+        }}
+      >
+        {edit.connect}
+      </button>
+    </div>
+  )
+}
+
+/// Memories and events of the program, and the memories that it could have.
+function usePageStores(): readonly ConnectionEnd[] {
+  const ends = useWritten().flatMap(f => [...f.inputs, f.output].flatMap(endsIn))
+  const all = [...ends, ...memories]
+  return all.filter((end, i) => all.findIndex(other => other.type === end.type) === i)
+}
+
+function endsIn(shape: WrittenShape): readonly ConnectionEnd[] {
+  if (shape.kind === "type") {
+    const kind: NodeKind | null = shape.own
+      ? "channel"
+      : /^(?:Memory|Param) /.test(shape.written)
+        ? "store"
+        : null
+    return kind === null ? [] : [{kind, type: shape.written}]
+  }
+  return shape.kind === "all" || shape.kind === "either" ? shape.of.flatMap(endsIn) : endsIn(shape.of)
+}

@@ -1,0 +1,151 @@
+/// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
+
+import {type Document, recordChange, redo, undo} from "../program/history.ts"
+import {type Finding, mapFix, mapRange} from "../program/program.ts"
+import {type ChangeDesc, changesBetween} from "../program/text_changes.ts"
+import {withoutLesson} from "../state/lesson_state.ts"
+import {reduceWhy} from "../state/messages/why_state.ts"
+import type {DocumentEvent, Opened} from "../state/page_events.ts"
+import type {PageState} from "../state/page_state.ts"
+import {clearRoom} from "../state/runs/room_state.ts"
+import {isActive, nextRun} from "../state/runs/run_state.ts"
+import {noRuns} from "../state/runs/run_tree.ts"
+import {type Effect, sending, still, type Transition, unreachable} from "../state/transition.ts"
+import {refusedSockets} from "../state/visible_findings.ts"
+
+/// Applies a change of the program, of its name, or of what is stored of it.
+export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Transition {
+  switch (event.kind) {
+    case "opened":
+      return openProgram(state, event.opened)
+    case "followed":
+      return followProgram(state, event)
+    case "text-typed":
+      return still({...state, pendingText: event.text})
+    case "program-changed": {
+      const {numberDrag: drag} = state
+      const history = recordChange(state.history, state.document, event.by, event.at, drag)
+      const numberDrag = drag === null ? null : "changing"
+      return changeTo({...state, history, numberDrag}, event.document, event.changes)
+    }
+    case "analysed":
+      return still(state.document === event.before ? withAnalysed(state, event.document) : state)
+    case "undo-pressed": {
+      const back = undo(state.history, state.document)
+      return back === null ? still(state) : changeTo({...state, history: back.history}, back.document)
+    }
+    case "redo-pressed": {
+      const on = redo(state.history, state.document)
+      return on === null ? still(state) : changeTo({...state, history: on.history}, on.document)
+    }
+    case "renamed":
+      return still({...state, name: event.name, saved: "changed"})
+    case "stored":
+      return still({
+        ...state,
+        saved: event.ok ? "saved" : "failed",
+        notice: event.ok ? state.notice : {kind: "not-saved"},
+      })
+    case "number-drag":
+      return still({
+        ...state,
+        numberDrag: event.going ? "begun" : null,
+        // What follows is another step.
+        history: event.going ? state.history : {...state.history, last: null},
+      })
+    default:
+      return unreachable(event)
+  }
+}
+
+/// Opens another program. Its run, room and messages start anew.
+function openProgram(state: PageState, opened: Opened): Transition {
+  const room = clearRoom(state.room, state.robots.held === null ? null : state.runs)
+  const fresh: PageState = {
+    ...state,
+    name: opened.name,
+    saved: "saved",
+    document: opened.document,
+    pendingText: null,
+    history: opened.history,
+    // Where a program without a room of its own is opened is its room from then on.
+    worldName: opened.world ?? state.worldName,
+    replacedRoom: opened.replacedRoom ?? (opened.world === null ? state.replacedRoom : null),
+    run: nextRun(state.run, {kind: "reset-pressed"}),
+    room,
+    runTree: noRuns,
+    why: reduceWhy(state.why, {kind: "closed"}).state,
+    lines: [],
+    findings: {compiler: [], run: []},
+    accepted: false,
+    selected: null,
+    welcome: opened.welcome ? "fresh" : "over",
+    refused: null,
+    speed: opened.isNew ? 1 : state.speed,
+    dialog: opened.isFirst ? state.dialog : null,
+    notice: null,
+    lessons: opened.inLesson ? state.lessons : withoutLesson(state.lessons),
+  }
+  const asked = check(fresh)
+  if (state.link !== "open") return still(asked.state)
+  // Choosing a room ends a run; without a room of its own a project gets the room as it was, reset.
+  const ready =
+    opened.world === null ? ({op: "reset"} as const) : ({op: "world", world: opened.world} as const)
+  const left: Effect[] =
+    state.lessons.open === null || opened.inLesson
+      ? []
+      : [{kind: "send", message: {op: "lesson", step: null}}]
+  return {state: asked.state, effects: [...left, {kind: "send", message: ready}, ...asked.effects]}
+}
+
+/// Shows the program as another tab stored it.
+function followProgram(state: PageState, event: DocumentEvent & {kind: "followed"}): Transition {
+  const history = recordChange(state.history, state.document, "command", event.at)
+  const {state: changed, effects} = changeTo({...state, history}, event.document)
+  const {name, world, replacedRoom} = event
+  const followed = {...changed, name, replacedRoom, saved: "saved"} as const
+  const sameWorld = world === null || JSON.stringify(world) === JSON.stringify(state.worldName)
+  // A run in this tab goes on in the room that it has.
+  if (sameWorld || isActive(state.run)) return {state: followed, effects}
+  const room: Effect[] = state.link === "open" ? [{kind: "send", message: {op: "world", world}}] : []
+  return {state: {...followed, worldName: world, runTree: noRuns}, effects: [...room, ...effects]}
+}
+
+/// The finding at the place that its text has after the changes.
+const moved =
+  (changes: ChangeDesc) =>
+  (finding: Finding): Finding =>
+    finding.range === null
+      ? finding
+      : {
+          ...finding,
+          range: mapRange(changes, finding.range),
+          fixes: finding.fixes.map(f => mapFix(changes, f)),
+        }
+
+/// Makes another document the program. What the last run said was about the old one.
+function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Transition {
+  const changed: PageState = {...state, document, pendingText: null, saved: "changed"}
+  if (document.program.text === state.document.program.text) return still(changed)
+  const changes = edit ?? changesBetween(state.document.program.text, document.program.text)
+  return check({
+    ...changed,
+    // What the compiler said stands, moved along, until it has read the new text: marks do not flicker while typing.
+    findings: {compiler: state.findings.compiler.map(moved(changes)), run: []},
+    welcome: state.welcome === "ran" ? "over" : state.welcome,
+  })
+}
+
+/// The document with its inferred types. A refused text may have been analysed only after its run.
+function withAnalysed(state: PageState, document: Document): PageState {
+  const isRefused = state.refused?.text === document.program.text
+  return {...state, document, refused: isRefused ? refusedSockets(document) : state.refused}
+}
+
+/// Asks the compiler about the text as it is now.
+export function check(state: PageState): Transition {
+  const id = state.checks + 1
+  const asked = {...state, checks: id}
+  if (state.link !== "open" || state.document.program.text === "") return still(asked)
+  return sending(asked, {op: "check", id, source: state.document.program.text})
+}

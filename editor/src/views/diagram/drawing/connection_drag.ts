@@ -1,0 +1,133 @@
+/// Drag of a connection from one end to another, by mouse, pen or finger: the line that follows the pointer, and what would become of it. An end is an element
+/// with `data-end` and `data-type`.
+
+import type {Point} from "../layout/geometry.ts"
+import type {ConnectionEnd} from "../network/connections.ts"
+import type {NodeKind} from "../network/network.ts"
+import {svgElement} from "./svg_element.ts"
+
+export interface ConnectionDragOptions {
+  /// What a connection would be, in words.
+  verdict(from: ConnectionEnd, to: ConnectionEnd): {readonly fits: boolean; readonly text: string}
+  /// `at` is in pixels of the window.
+  dropped(from: ConnectionEnd, to: ConnectionEnd, at: Point): void
+}
+
+/// Pixels that a pointer moves before it drags: less is a press, which chooses the node.
+const slack = 6
+
+/// Returns a function that ends it.
+export function openConnectionDrag(stage: HTMLElement, options: ConnectionDragOptions): () => void {
+  let end: (() => void) | null = null
+  const down = (event: PointerEvent) => {
+    const grip = endAt(event.target)
+    if (event.button !== 0 || !event.isPrimary || grip === null || end !== null) return
+    end = follow(stage, grip, event, options, () => {
+      end = null
+    })
+  }
+  stage.addEventListener("pointerdown", down)
+  return () => {
+    end?.()
+    stage.removeEventListener("pointerdown", down)
+  }
+}
+
+interface Grip {
+  readonly element: HTMLElement | SVGElement
+  readonly end: ConnectionEnd
+}
+
+function endAt(target: EventTarget | null): Grip | null {
+  const element = target instanceof Element ? target.closest<HTMLElement | SVGElement>("[data-end]") : null
+  const {end, type} = element?.dataset ?? {}
+  return element === null || end === undefined || type === undefined
+    ? null
+    : {element, end: {kind: end as NodeKind, type}}
+}
+
+function follow(
+  stage: HTMLElement,
+  from: Grip,
+  down: PointerEvent,
+  options: ConnectionDragOptions,
+  ended: () => void,
+): () => void {
+  const line = svgElement("path", {class: "line"})
+  const overlay = svgElement("svg", {class: "connection-line", "aria-hidden": "true"})
+  overlay.append(line)
+  const note = document.createElement("div")
+  note.className = "connection-note"
+  let isDragging = false
+  let target: Grip | null = null
+
+  const inStage = (x: number, y: number): Point => {
+    const {left, top} = stage.getBoundingClientRect()
+    return {x: x - left, y: y - top}
+  }
+  const start = () => {
+    isDragging = true
+    const box = from.element.getBoundingClientRect()
+    const at = inStage(box.left + box.width / 2, box.top + box.height / 2)
+    line.dataset["from"] = `${at.x} ${at.y}`
+    stage.append(overlay, note)
+    stage.classList.add("connecting")
+    stage.setPointerCapture(down.pointerId)
+  }
+  const point = (next: Grip | null) => {
+    if (next?.element === target?.element) return
+    target?.element.classList.remove("fits", "misfits")
+    target = next
+    if (next === null) {
+      note.textContent = ""
+      return
+    }
+    const {fits, text} = options.verdict(from.end, next.end)
+    next.element.classList.add(fits ? "fits" : "misfits")
+    note.textContent = text
+    note.classList.toggle("misfits", !fits)
+  }
+  const move = (event: PointerEvent) => {
+    if (event.pointerId !== down.pointerId) return
+    if (!isDragging) {
+      if (Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) <= slack) return
+      start()
+    }
+    const {x, y} = inStage(event.clientX, event.clientY)
+    line.setAttribute("d", `M${line.dataset["from"]}L${x} ${y}`)
+    note.style.transform = `translate(${Math.min(x + 14, stage.clientWidth - 250)}px, ${y + 16}px)`
+    const under = endAt(document.elementFromPoint(event.clientX, event.clientY))
+    point(under?.element === from.element ? null : under)
+  }
+  const stop = () => {
+    point(null)
+    overlay.remove()
+    note.remove()
+    stage.classList.remove("connecting")
+    for (const [name, listener] of listeners) window.removeEventListener(name, listener, true)
+    ended()
+  }
+  const up = (event: PointerEvent) => {
+    if (event.pointerId !== down.pointerId) return
+    const to = target
+    if (isDragging) {
+      // The click that follows a drag is no choice of a node.
+      const swallow = (click: Event) => click.stopPropagation()
+      window.addEventListener("click", swallow, {capture: true, once: true})
+      setTimeout(() => window.removeEventListener("click", swallow, true))
+    }
+    stop()
+    if (to !== null) options.dropped(from.end, to.end, {x: event.clientX, y: event.clientY})
+  }
+  const key = (event: KeyboardEvent) => {
+    if (event.key === "Escape") stop()
+  }
+  const listeners = [
+    ["pointermove", move],
+    ["pointerup", up],
+    ["pointercancel", stop],
+    ["keydown", key],
+  ] as [string, EventListener][]
+  for (const [name, listener] of listeners) window.addEventListener(name, listener, true)
+  return stop
+}

@@ -1,0 +1,25 @@
+/// Interface of the edits that the diagram makes in a program.
+
+import type {NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {Connection, ConnectionEnd, Joining} from "./network/connections.ts"
+
+/// What becomes of a connection.
+export type Proposal =
+  | {readonly kind: "refused"; readonly why: string}
+  | {
+      readonly kind: "offered"
+      readonly connection: Connection
+      /// What it will do, in one line.
+      readonly title: string
+      readonly asks: "function" | "event" | null
+      readonly name: string
+      readonly joinings: readonly Joining[]
+    }
+
+export interface NetworkEditing {
+  /// The functions of the program as its text has them.
+  written(): WrittenNetwork
+  propose(from: ConnectionEnd, to: ConnectionEnd): Proposal
+  /// Makes an edit, as one undo step, and shows the definition that it is about; the reason if that is impossible.
+  edit(action: NetworkAction): string | null
+}

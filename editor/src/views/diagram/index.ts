@@ -1,0 +1,134 @@
+/// The diagram, for the page: `openDiagram(host, options)`. It is loaded when it is shown for the first time.
+
+import type {ProgramPart} from "../../program/program_graph.ts"
+import type {Frame} from "../../state/messages/messages.ts"
+import {pngOf, standalone} from "./drawing/picture.ts"
+import type {ViewOptions, ViewWords} from "./drawing/view_types.ts"
+import {type Layout, layOut} from "./layout/layout.ts"
+import {openLayoutEngine} from "./layout/layout_engine.ts"
+import {type Activity, isFading, noActivity, observe} from "./network/activity.ts"
+import type {CausalPath} from "./network/causal_path.ts"
+import {explained} from "./network/explained.ts"
+import {type DiagramNode, firstFolds, fold, type Network} from "./network/network.ts"
+import {networkOf} from "./network/network_builder.ts"
+import {type OutlineLine, outline} from "./network/outline.ts"
+import {openDrawing} from "./view.ts"
+
+export type {DiagramNode} from "./network/network.ts"
+export type {OutlineLine} from "./network/outline.ts"
+export {pendingParts} from "./network/pending_parts.ts"
+
+export interface DiagramOptions {
+  readonly words: ViewWords
+  chosen(node: DiagramNode): void
+  valueClicked(node: DiagramNode): void
+  typeOf(node: DiagramNode): string | null
+  lastOf(node: DiagramNode): string | null
+  /// A new drawing is there, or none could be made.
+  drawn(outcome: "drawn" | "empty" | "failed"): void
+}
+
+export interface DiagramView {
+  /// Shows what a program runs; `text` is the program's.
+  show(parts: readonly ProgramPart[], text: string): void
+  /// The new frames of the run; `now` is the learner's time in ms. Returns whether more is to be drawn without a new frame.
+  live(frames: readonly Frame[], now: number): boolean
+  /// One frame of the past.
+  at(frame: Frame | null, now: number): void
+  /// A new run: nothing has happened yet.
+  clear(): void
+  select(name: string | null): void
+  /// Marks what led to the answer of a question.
+  explain(path: CausalPath): void
+  /// Places everything anew.
+  tidy(): void
+  /// With what led to the answer of a question.
+  list(path: CausalPath): readonly OutlineLine[]
+  chooseById(id: string): void
+  svgFile(): Promise<string>
+  pngFile(): Promise<Blob | null>
+}
+
+export function openDiagram(host: HTMLElement, options: DiagramOptions): DiagramView {
+  const engine = openLayoutEngine()
+  let whole: Network = {nodes: [], edges: []}
+  let network = whole
+  let layout: Layout | null = null
+  let folded: ReadonlySet<string> = new Set()
+  let activity: Activity = noActivity
+  let asked = 0
+
+  const drawing = openDrawing(host, {
+    words: options.words,
+    chosen: options.chosen,
+    valueClicked: options.valueClicked,
+    typeOf: options.typeOf,
+    lastOf: options.lastOf,
+    toggled(id) {
+      const next = new Set(folded)
+      if (!next.delete(id)) next.add(id)
+      folded = next
+      void draw()
+    },
+  } satisfies ViewOptions)
+
+  // Positions come later than the network; only those of the newest one are drawn.
+  const draw = async () => {
+    const mine = ++asked
+    const shown = fold(whole, folded)
+    try {
+      const placed = await layOut(shown, layout, engine.layOut)
+      if (mine !== asked) return
+      network = shown
+      layout = placed
+      drawing.show(network, placed)
+      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn")
+    } catch {
+      if (mine === asked) options.drawn("failed")
+    }
+  }
+
+  return {
+    show(parts, text) {
+      const lines = text.split("\n")
+      const first = whole.nodes.length === 0
+      whole = networkOf(parts, at => textOf(lines, at))
+      if (first) folded = firstFolds(whole)
+      void draw()
+    },
+    live(frames, now) {
+      activity = observe(activity, frames, now)
+      drawing.live(activity, now, false)
+      return isFading(activity, now)
+    },
+    at(frame, now) {
+      activity = observe(noActivity, frame === null ? [] : [frame], now)
+      drawing.live(activity, now, true)
+    },
+    clear() {
+      activity = noActivity
+    },
+    select: drawing.select,
+    explain: drawing.explain,
+    tidy() {
+      layout = null
+      void draw()
+    },
+    list: path => outline(whole, options.words.list, explained(whole, path).marked),
+    chooseById(id) {
+      const node = whole.nodes.find(one => one.id === id)
+      if (node !== undefined) options.chosen(node)
+    },
+    svgFile: () => standalone(drawing.svg, getComputedStyle(host).backgroundColor),
+    pngFile: async () => pngOf(await standalone(drawing.svg, getComputedStyle(host).backgroundColor)),
+  }
+}
+
+/// The first line of a piece of the text.
+function textOf(
+  lines: readonly string[],
+  {line, column, endLine, endColumn}: NonNullable<DiagramNode["at"]>,
+): string {
+  const characters = [...(lines[line - 1] ?? "")]
+  return characters.slice(column - 1, line === endLine ? endColumn - 1 : undefined).join("")
+}

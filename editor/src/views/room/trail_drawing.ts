@@ -1,0 +1,127 @@
+/// Drawing of the trail: finished pieces once, on a cached layer; the growing piece in every frame.
+
+import type {Point, RoomState, Trail, TrailStyle} from "../../state/runs/room_state.ts"
+import {openLayer, type Size} from "./cached_layer.ts"
+import {type Camera, toScreen} from "./camera.ts"
+import type {Palette} from "./palette.ts"
+import {segmentsOf, speedLevel, timeLevel, timeMarks, timeSpan, trailUntil} from "./trail_segments.ts"
+
+/// Widths on the screen, in pixels, from level to level; where a metre is large, the path is as wide as `perMetre` says.
+const widths = {
+  plain: [2.5],
+  speed: [1.5, 2.5, 3.75, 5.25, 7],
+  time: [1.25, 1.75, 2.5, 3.5, 4.75],
+} as const satisfies Record<TrailStyle, readonly number[]>
+/// 2.5 pixels are 2 cm.
+const perMetre = 125
+
+/// Points closer together than this on the screen are drawn as one, in pixels.
+const apart = 1.2
+
+export interface PathView {
+  /// `tip` is where the robot is drawn: a frame behind the trail's last point.
+  draw(
+    ctx: CanvasRenderingContext2D,
+    room: RoomState,
+    style: TrailStyle,
+    tip: {readonly x: number; readonly y: number},
+  ): void
+  place(camera: Camera, size: Size): void
+  recolour(palette: Palette): void
+}
+
+export function openPath(first: Palette, margin: () => number): PathView {
+  let palette = first
+  let camera: Camera = {scale: 1, left: 0, bottom: 0}
+  let size: Size = {w: 0, h: 0, ratio: 1}
+  const layer = openLayer(margin)
+  /// What is on the layer: pieces of this trail, in this manner.
+  let kept: {manner: string; first: readonly Point[] | undefined; pieces: number} | null = null
+
+  const line = (
+    c: CanvasRenderingContext2D,
+    piece: readonly Point[],
+    style: TrailStyle,
+    span: number,
+  ): void => {
+    const levelOf = (p: Point) =>
+      style === "speed" ? speedLevel(p.speed) : style === "time" ? timeLevel(p.time, span) : 0
+    c.lineJoin = "round"
+    c.lineCap = "round"
+    for (const {level, points} of segmentsOf(piece, levelOf, apart / camera.scale)) {
+      const width = widths[style][level] ?? widths.plain[0]
+      c.lineWidth = Math.max(width / camera.scale, width / perMetre)
+      c.strokeStyle = style === "plain" ? palette.trail : (palette.ramp[level] ?? palette.trail)
+      c.beginPath()
+      points.forEach((p, i) => {
+        if (i === 0) c.moveTo(p.x, p.y)
+        else c.lineTo(p.x, p.y)
+      })
+      c.stroke()
+    }
+  }
+
+  const marks = (ctx: CanvasRenderingContext2D, trail: Trail, now: number) => {
+    ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
+    ctx.font = `500 12px ${palette.font}`
+    ctx.textAlign = "left"
+    ctx.textBaseline = "middle"
+    ctx.lineJoin = "round"
+    for (const p of timeMarks(trail, now, 26 / camera.scale)) {
+      const at = toScreen(camera, p.x, p.y)
+      ctx.beginPath()
+      ctx.arc(at.x, at.y, 4, 0, 2 * Math.PI)
+      ctx.fillStyle = palette.floor
+      ctx.fill()
+      ctx.lineWidth = 1.75
+      ctx.strokeStyle = palette.ink
+      ctx.stroke()
+      ctx.lineWidth = 3.5
+      ctx.strokeStyle = palette.floor
+      const text = `${p.time} s`
+      ctx.strokeText(text, at.x + 6, at.y - 10)
+      ctx.fillStyle = palette.ink
+      ctx.fillText(text, at.x + 6, at.y - 10)
+    }
+  }
+
+  return {
+    place(to, within) {
+      camera = to
+      size = within
+    },
+    recolour(to) {
+      palette = to
+      layer.forget()
+    },
+    draw(ctx, room, style, tip) {
+      const now = room.lookedAt ?? room.frame?.time ?? 0
+      const span = timeSpan(now)
+      const trail = room.lookedAt === null ? room.trail : trailUntil(room.trail, room.lookedAt)
+      const growing = trail.at(-1) ?? []
+      const manner = `${style} ${style === "time" ? span : 0} ${room.lookedAt}`
+      // All pieces but the last are finished.
+      const done = Math.max(0, trail.length - 1)
+      const covered = layer.covers(camera, size)
+      const goesOn =
+        covered &&
+        kept?.manner === manner &&
+        (kept.pieces === 0 || (kept.pieces <= done && kept.first === trail[0]))
+      if (covered && !goesOn) {
+        layer.forget()
+        layer.covers(camera, size)
+      }
+      const drawn = goesOn ? (kept?.pieces ?? 0) : 0
+      for (const piece of trail.slice(drawn, done)) line(layer.ctx, piece, style, span)
+      kept = {manner, first: trail[0], pieces: done}
+      layer.show(ctx, camera)
+
+      const k = size.ratio * camera.scale
+      ctx.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
+      const last = growing.at(-1)
+      const passed = room.lookedAt === null ? growing.slice(0, -1) : growing
+      if (last !== undefined) line(ctx, [...passed, {...last, ...tip}], style, span)
+      if (style === "time") marks(ctx, trail, now)
+    },
+  }
+}

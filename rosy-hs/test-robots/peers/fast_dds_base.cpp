@@ -1,0 +1,264 @@
+/*
+ * Stand-in for a base on ROS 2, with Fast DDS: what ROS 2 itself uses by default, and another vendor's than Rosy's.
+ *
+ * Written from the message definitions of common_interfaces, kobuki_ros_interfaces and turtlebot3_msgs, from REP 2003 (quality of service) and from the article
+ * "Topic and Service name mapping to DDS" of design.ros2.org; it shares nothing with Rosy.
+ *
+ * In: domain, namespace ("" for none), `kobuki` or `turtlebot3`, and words: `stamped` takes TwistStamped, `best_effort` publishes so, `no_watchdog` keeps the last
+ * velocity. On standard input `mark`, `bump 0|1`, `quit`. Out: on standard output `ready`, `seen N` for a change in the number of writers of its velocity, `got X Z AGE`
+ * (m/s, rad/s, s since the message's stamp, -1 without one), `watchdog` when 0.6 s pass after a velocity that was not zero, after `mark` `marked`, as soon as it
+ * drives, and then `stood SECONDS`, by its own clock; `called NAME VALUE`.
+ */
+#include <fastcdr/Cdr.h>
+#include <fastcdr/FastBuffer.h>
+#include <fastdds/dds/domain/DomainParticipant.hpp>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/DataWriter.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/DataReader.hpp>
+#include <fastdds/dds/subscriber/DataReaderListener.hpp>
+#include <fastdds/dds/subscriber/SampleInfo.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <fastdds/dds/topic/TopicDataType.hpp>
+#include <fastdds/dds/topic/TypeSupport.hpp>
+#include <fastrtps/utils/IPFinder.h>
+#include <fastrtps/utils/IPLocator.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <iostream>
+#include <mutex>
+#include <set>
+#include <string>
+#include <thread>
+#include <vector>
+
+using namespace eprosima::fastdds::dds;
+using eprosima::fastcdr::Cdr;
+using Bytes = std::vector<char>;
+using Clock = std::chrono::steady_clock;
+
+/* A message is its bytes: they are written and read by hand, as the definitions say. */
+struct Raw : TopicDataType {
+  explicit Raw(const std::string &name) {
+    setName(name.c_str());
+    m_typeSize = 4096;
+    m_isGetKeyDefined = false;
+  }
+  bool serialize(void *data, eprosima::fastrtps::rtps::SerializedPayload_t *payload) override {
+    auto *bytes = static_cast<Bytes *>(data);
+    payload->encapsulation = CDR_LE;
+    payload->length = bytes->size();
+    memcpy(payload->data, bytes->data(), bytes->size());
+    return true;
+  }
+  bool deserialize(eprosima::fastrtps::rtps::SerializedPayload_t *payload, void *data) override {
+    static_cast<Bytes *>(data)->assign(payload->data, payload->data + payload->length);
+    return true;
+  }
+  std::function<uint32_t()> getSerializedSizeProvider(void *data) override {
+    return [data] { return static_cast<uint32_t>(static_cast<Bytes *>(data)->size()); };
+  }
+  void *createData() override { return new Bytes; }
+  void deleteData(void *data) override { delete static_cast<Bytes *>(data); }
+  bool getKey(void *, eprosima::fastrtps::rtps::InstanceHandle_t *, bool) override { return false; }
+};
+
+static Bytes encoded(const std::function<void(Cdr &)> &write) {
+  Bytes bytes(4096);
+  eprosima::fastcdr::FastBuffer buffer(bytes.data(), bytes.size());
+  Cdr cdr(buffer, Cdr::LITTLE_ENDIANNESS, Cdr::DDS_CDR);
+  cdr.serialize_encapsulation();
+  write(cdr);
+  bytes.resize(cdr.getSerializedDataLength());
+  return bytes;
+}
+
+static void decode(Bytes &bytes, const std::function<void(Cdr &)> &read) {
+  eprosima::fastcdr::FastBuffer buffer(bytes.data(), bytes.size());
+  Cdr cdr(buffer, Cdr::DEFAULT_ENDIAN, Cdr::DDS_CDR);
+  cdr.read_encapsulation();
+  read(cdr);
+}
+
+static std::mutex saying;
+template <typename... Words> static void say(const char *format, Words... words) {
+  std::lock_guard<std::mutex> lock(saying);
+  printf(format, words...);
+  putchar('\n');
+  fflush(stdout);
+}
+
+struct Listener : DataReaderListener {
+  std::function<void(Bytes &)> act;
+  std::function<void(int)> matched = [](int) {};
+  void on_data_available(DataReader *reader) override {
+    Bytes bytes;
+    SampleInfo info;
+    while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK)
+      if (info.valid_data) act(bytes);
+  }
+  void on_subscription_matched(DataReader *, const SubscriptionMatchedStatus &status) override { matched(status.current_count); }
+};
+
+static std::mutex guard;
+static double speed = 0, turn = 0;
+static Clock::time_point told;
+static bool moving = false, marking = false, counting = false;
+static Clock::time_point marked;
+
+static double since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
+
+static void drive(double v, double w) {
+  speed = v, turn = w, told = Clock::now();
+  moving = v != 0 || w != 0;
+  if (moving && marking) marking = false, counting = true, marked = told, say("marked");
+  if (!moving && counting) counting = false, say("stood %.3f", since(marked));
+}
+
+/*
+ * Fast DDS 2.9 with statistics aborts when it sends to a participant that it is just discovering ("it != collection_.end()", mended by its pull request 3169):
+ * the channel to an address is entered too late. So the addresses of participants on this computer are initial peers (ports: DDSI-RTPS 2.5, 9.6.2.3).
+ */
+static DomainParticipantQos with_peers(int domain) {
+  namespace rtps = eprosima::fastrtps::rtps;
+  DomainParticipantQos qos = PARTICIPANT_QOS_DEFAULT;
+  auto add = [&](const std::string &address, int port) {
+    rtps::Locator_t locator;
+    rtps::IPLocator::createLocator(LOCATOR_KIND_UDPv4, address, 7400 + 250 * domain + port, locator);
+    qos.wire_protocol().builtin.initialPeersList.push_back(locator);
+  };
+  add("239.255.0.1", 0);
+  std::vector<rtps::IPFinder::info_IP> found;
+  rtps::IPFinder::getIPs(&found, true);
+  for (auto &own : found)
+    if (own.type == rtps::IPFinder::IP4 || own.type == rtps::IPFinder::IP4_LOCAL)
+      for (int port = 10; port < 30; port++) add(own.name, port);
+  return qos;
+}
+
+int main(int count, char **arguments) {
+  std::string space = arguments[2], kind = arguments[3];
+  std::set<std::string> words(arguments + 4, arguments + count);
+  bool stamped = words.count("stamped"), kobuki = kind == "kobuki", watchdog = !words.count("no_watchdog");
+  int domain = atoi(arguments[1]);
+  auto *participant = DomainParticipantFactory::get_instance()->create_participant(domain, with_peers(domain));
+  auto *publisher = participant->create_publisher(PUBLISHER_QOS_DEFAULT);
+  auto *subscriber = participant->create_subscriber(SUBSCRIBER_QOS_DEFAULT);
+  auto topic = [&](const std::string &name, const std::string &type) {
+    TypeSupport(new Raw(type)).register_type(participant);
+    return participant->create_topic(name, type, TOPIC_QOS_DEFAULT);
+  };
+  auto writer = [&](const std::string &name, const std::string &type) {
+    DataWriterQos qos = DATAWRITER_QOS_DEFAULT;
+    qos.reliability().kind = words.count("best_effort") ? BEST_EFFORT_RELIABILITY_QOS : RELIABLE_RELIABILITY_QOS;
+    qos.history().depth = 5;
+    return publisher->create_datawriter(topic("rt" + space + "/" + name, type), qos);
+  };
+  std::vector<Listener *> listeners;
+  auto reader = [&](const std::string &name, const std::string &type, Listener *listener) {
+    DataReaderQos qos = DATAREADER_QOS_DEFAULT;
+    qos.reliability().kind = RELIABLE_RELIABILITY_QOS;
+    listeners.push_back(listener);
+    subscriber->create_datareader(topic(name, type), qos, listener);
+  };
+
+  auto *odometry = writer("odom", "nav_msgs::msg::dds_::Odometry_");
+  auto *bumper = kobuki ? writer("events/bumper", "kobuki_ros_interfaces::msg::dds_::BumperEvent_") : nullptr;
+  auto *scan = kobuki ? nullptr : writer("scan", "sensor_msgs::msg::dds_::LaserScan_");
+  auto *battery = kobuki ? nullptr : writer("battery_state", "sensor_msgs::msg::dds_::BatteryState_");
+  auto *sensors = kobuki ? nullptr : writer("sensor_state", "turtlebot3_msgs::msg::dds_::SensorState_");
+  auto *velocity = new Listener;
+  velocity->act = [&](Bytes &bytes) {
+    double x = 0, y, z, a, b, c = 0, age = -1;
+    decode(bytes, [&](Cdr &cdr) {
+      if (stamped) {
+        int32_t seconds;
+        uint32_t nanoseconds;
+        std::string frame;
+        cdr >> seconds >> nanoseconds >> frame;
+        age = std::chrono::duration<double>(std::chrono::system_clock::now().time_since_epoch()).count() - seconds - nanoseconds * 1e-9;
+      }
+      cdr >> x >> y >> z >> a >> b >> c;
+    });
+    std::lock_guard<std::mutex> lock(guard);
+    say("got %g %g %.3f", x, c, age);
+    /* As the controllers of ros2_control do: a velocity without a time, or with an old one, is none. A base without a watchdog takes every one. */
+    if (!stamped || !watchdog || std::fabs(age) < 0.5) drive(x, c);
+  };
+  velocity->matched = [](int writers) { say("seen %d", writers); };
+  reader("rt" + space + (kobuki ? "/commands/velocity" : "/cmd_vel"), stamped ? "geometry_msgs::msg::dds_::TwistStamped_" : "geometry_msgs::msg::dds_::Twist_", velocity);
+  if (!kobuki) {
+    auto *power = new Listener;
+    power->act = [](Bytes &bytes) {
+      bool on;
+      decode(bytes, [&](Cdr &cdr) { cdr >> on; });
+      say("called motor_power %d", on);
+    };
+    reader("rq" + space + "/motor_powerRequest", "std_srvs::srv::dds_::SetBool_Request_", power);
+  }
+
+  std::thread([&] {
+    double x = 0, y = 0, heading = 0, step = 0.02;
+    auto next = Clock::now();
+    for (int n = 0;; n++) {
+      std::this_thread::sleep_until(next += std::chrono::milliseconds(20));
+      double v, w;
+      {
+        std::lock_guard<std::mutex> lock(guard);
+        if (moving && watchdog && since(told) > 0.6) say("watchdog"), drive(0, 0);
+        v = speed, w = turn;
+      }
+      heading += w * step, x += v * step * cos(heading), y += v * step * sin(heading);
+      auto header = [&](Cdr &cdr, const char *frame) { cdr << int32_t(n / 50 + 1) << uint32_t(0) << std::string(frame); };
+      Bytes bytes = encoded([&](Cdr &cdr) {
+        header(cdr, "odom");
+        cdr << std::string("base_footprint") << x << y << 0.0 << 0.0 << 0.0 << sin(heading / 2) << cos(heading / 2);
+        for (int i = 0; i < 36; i++) cdr << std::nan("");
+        cdr << v << 0.0 << 0.0 << 0.0 << 0.0 << w;
+        for (int i = 0; i < 36; i++) cdr << 0.0;
+      });
+      odometry->write(&bytes);
+      if (scan && n % 10 == 0) {
+        Bytes beams = encoded([&](Cdr &cdr) {
+          header(cdr, "base_scan");
+          cdr << 0.0f << 6.28f << 0.0175f << 0.0f << 0.2f << 0.12f << 3.5f << uint32_t(360);
+          for (int i = 0; i < 360; i++) cdr << INFINITY;
+          cdr << uint32_t(0);
+        });
+        scan->write(&beams);
+        Bytes state = encoded([&](Cdr &cdr) {
+          header(cdr, "");
+          cdr << uint8_t(0) << 0.0f << 0.0f << 0.0f << uint8_t(0) << uint8_t(0) << true << int32_t(0) << int32_t(0) << 11.9f;
+        });
+        sensors->write(&state);
+        /* voltage, temperature, current, charge, capacity, design capacity, percentage; three states; present; cells; location, serial number. */
+        Bytes charge = encoded([&](Cdr &cdr) {
+          header(cdr, "");
+          cdr << 11.94f << NAN << NAN << NAN << NAN << 1.8f << 0.87f << uint8_t(0) << uint8_t(0) << uint8_t(0) << true << uint32_t(0) << uint32_t(0);
+          cdr << std::string() << std::string();
+        });
+        battery->write(&charge);
+      }
+    }
+  }).detach();
+
+  say("ready");
+  for (std::string word; std::cin >> word && word != "quit";) {
+    std::lock_guard<std::mutex> lock(guard);
+    if (word == "mark") {
+      marking = true;
+      if (moving) drive(speed, turn);
+    } else if (word == "bump" && bumper) {
+      int state;
+      std::cin >> state;
+      Bytes bytes = encoded([&](Cdr &cdr) { cdr << uint8_t(0) << uint8_t(state); });
+      bumper->write(&bytes);
+    }
+  }
+  fflush(stdout);
+  _Exit(0);
+}

@@ -1,0 +1,1 @@
+main = simulate (DRIVE 50)

@@ -1,0 +1,1 @@
+main = simulate (Velocity (1\2) 0)

@@ -1,0 +1,6 @@
+hit :: Bumper -> Velocity
+hit b {
+  Velocity 0 0
+}
+
+main = simulate hit

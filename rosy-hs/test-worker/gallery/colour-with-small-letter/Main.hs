@@ -1,0 +1,4 @@
+hit :: Bumper -> Led1
+hit _ = Led1 red
+
+main = simulate hit

@@ -1,0 +1,4 @@
+cruise :: () -> Velocity
+cruise () = Velocity (0,5) 0
+
+main = simulate cruise

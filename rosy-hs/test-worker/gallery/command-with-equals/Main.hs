@@ -1,0 +1,3 @@
+main = simulate (do
+  Led1 = Green
+  drive 30)

@@ -1,0 +1,2 @@
+<!-- my program -->
+main = simulate (drive 50)

@@ -1,0 +1,2 @@
+— my first program
+main = simulate (Velocity 0.2 0)

@@ -1,0 +1,3 @@
+haskell
+Copy code
+main = simulate (Velocity 0.2 0)

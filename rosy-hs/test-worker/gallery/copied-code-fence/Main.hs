@@ -1,0 +1,3 @@
+```haskell
+main = simulate (Velocity 0.2 0)
+```

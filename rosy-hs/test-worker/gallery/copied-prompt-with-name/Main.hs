@@ -1,0 +1,1 @@
+ghci> main = simulate (Velocity 0.2 0)

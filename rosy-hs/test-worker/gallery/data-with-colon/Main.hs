@@ -1,0 +1,3 @@
+data Mode : Go | Stop
+
+main = simulate (drive 50)

@@ -1,0 +1,1 @@
+main = simulate (turn 90°)

@@ -1,0 +1,1 @@
+main = simulate (drive 1'000)

@@ -1,0 +1,3 @@
+main = simulate (do
+  beep()
+  drive 20)

@@ -1,0 +1,3 @@
+enum Mode = Go | Stop
+
+main = simulate (drive 50)

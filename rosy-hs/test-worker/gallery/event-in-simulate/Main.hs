@@ -1,0 +1,3 @@
+data Knock = Knock deriving (Eq)
+
+main = simulate Knock

@@ -1,0 +1,4 @@
+main = simulate $ do
+  forever
+    drive 50
+    turn 90

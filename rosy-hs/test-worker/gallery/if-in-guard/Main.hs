@@ -1,0 +1,6 @@
+hit :: Bumper -> Velocity
+hit (Bumper s _)
+  | if s == LeftBumper = Velocity 0 1
+  | otherwise = Velocity 0 0
+
+main = simulate hit

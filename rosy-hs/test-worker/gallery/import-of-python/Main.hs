@@ -1,0 +1,3 @@
+import time
+
+main = simulate (drive 20)

@@ -1,0 +1,3 @@
+import rosy
+
+main = simulate (drive 50)

@@ -1,0 +1,3 @@
+#include <rosy.h>
+
+main = simulate (drive 50)

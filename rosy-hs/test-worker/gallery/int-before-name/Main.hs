@@ -1,0 +1,3 @@
+int speed = 5
+
+main = simulate (drive speed)

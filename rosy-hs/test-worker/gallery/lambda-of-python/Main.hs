@@ -1,0 +1,4 @@
+bump :: Bumper -> Maybe Sound
+bump = lambda b: Just ErrorSound
+
+main = simulate bump

@@ -1,0 +1,4 @@
+main = simulate hit
+
+hit :: Bumper -> Velocity
+hit = (b -> Velocity 0 0)

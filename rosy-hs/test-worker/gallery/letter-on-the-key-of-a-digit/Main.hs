@@ -1,0 +1,1 @@
+main = simulate (Velocity à.2 à)

@@ -1,0 +1,1 @@
+mian = simulate (drive 50)

@@ -1,0 +1,3 @@
+main = simulate (Velocity 0.2 0)
+
+main()

@@ -1,0 +1,3 @@
+main = simulate (do
+  robot.drive(50)
+  robot.turn(90))

@@ -1,0 +1,3 @@
+main = simulate (do
+  drive 2m
+  turn 90)

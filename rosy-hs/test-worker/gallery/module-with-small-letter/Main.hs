@@ -1,0 +1,3 @@
+module main where
+
+main = simulate (drive 50)

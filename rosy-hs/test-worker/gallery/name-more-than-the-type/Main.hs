@@ -1,0 +1,3 @@
+main = simulate f
+f :: Velocity
+f x = Velocity 1 0

@@ -1,0 +1,3 @@
+my speed = 0.2
+
+main = simulate (Velocity my speed 0)

@@ -1,0 +1,3 @@
+2fast = 0.6
+
+main = simulate (Velocity 2fast 0)

@@ -1,0 +1,3 @@
+main = simulate (do
+  drive 50
+  turn -90)

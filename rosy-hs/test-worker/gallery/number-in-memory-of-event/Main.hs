@@ -1,0 +1,4 @@
+main = simulate remember
+
+remember :: Bumper -> Memory Bumper
+remember _ = Memory 3

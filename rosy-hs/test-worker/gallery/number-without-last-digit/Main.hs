@@ -1,0 +1,4 @@
+cruise :: () -> Velocity
+cruise () = Velocity 1. 0
+
+main = simulate cruise

@@ -1,0 +1,6 @@
+bump :: Bumper -> Maybe Sound
+bump (Bumper side Pressed)
+  | side == LeftBumper || RightBumper = Just ErrorSound
+bump _ = Nothing
+
+main = simulate bump

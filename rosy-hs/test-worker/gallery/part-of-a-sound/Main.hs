@@ -1,0 +1,4 @@
+hit :: Bumper -> Sound
+hit _ = Error
+
+main = simulate hit

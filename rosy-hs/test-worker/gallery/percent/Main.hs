@@ -1,0 +1,1 @@
+main = simulate (Velocity 50% 0)

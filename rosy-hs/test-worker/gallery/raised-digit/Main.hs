@@ -1,0 +1,4 @@
+area :: Double -> Double
+area r = pi * r²
+
+main = simulate (Velocity (area 0.2) 0)

@@ -1,0 +1,1 @@
+main = run (drive 50)

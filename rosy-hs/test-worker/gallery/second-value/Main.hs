@@ -1,0 +1,4 @@
+n = 0
+n = n + 1
+
+main = simulate (\_ -> Say (show n))

@@ -1,0 +1,1 @@
+main = simulate (wait 2s)

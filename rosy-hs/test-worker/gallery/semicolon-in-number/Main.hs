@@ -1,0 +1,1 @@
+main = simulate (Velocity 0;2 0)

@@ -1,0 +1,4 @@
+main = simulate f
+f :: Cliff -> Sound
+f (LeftCliff) = ErrorSound
+f _ = ButtonSound

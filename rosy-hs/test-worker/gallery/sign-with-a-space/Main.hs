@@ -1,0 +1,4 @@
+bump :: Bumper - > Maybe Sound
+bump _ = Just ErrorSound
+
+main = simulate bump

@@ -1,0 +1,3 @@
+data mode = Go | Stop
+
+main = simulate (drive 50)

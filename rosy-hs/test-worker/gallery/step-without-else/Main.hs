@@ -1,0 +1,7 @@
+dance :: Bool -> Task ()
+dance loud = do
+  drive 20
+  if loud then say "hey"
+  turn 90
+
+main = simulate (dance True)

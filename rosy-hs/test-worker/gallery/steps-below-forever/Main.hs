@@ -1,0 +1,5 @@
+main = simulate patrol
+
+patrol = forever
+  drive 50
+  turn 180

@@ -1,0 +1,1 @@
+main = simulate (say hello robot)

@@ -1,0 +1,1 @@
+main = simulate $ do drive 50 turn 90

@@ -1,0 +1,2 @@
+main = drive 50
+       turn 90

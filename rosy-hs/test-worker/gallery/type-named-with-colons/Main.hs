@@ -1,0 +1,7 @@
+type Speed :: Double
+
+cruise :: () -> Velocity
+cruise () = Velocity speed 0
+  where speed = 0.3
+
+main = simulate cruise

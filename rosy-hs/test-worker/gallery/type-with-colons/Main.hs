@@ -1,0 +1,3 @@
+type :: Mode = Int
+
+main = simulate (Velocity 0 0)

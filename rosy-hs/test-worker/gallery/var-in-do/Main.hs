@@ -1,0 +1,3 @@
+main = simulate $ do
+  var speed = 5
+  drive speed

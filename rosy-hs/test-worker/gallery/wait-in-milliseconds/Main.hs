@@ -1,0 +1,4 @@
+main = simulate $ do
+  beep
+  wait 1000
+  beep

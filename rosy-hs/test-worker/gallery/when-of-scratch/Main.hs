@@ -1,0 +1,4 @@
+when Bumper Pressed:
+  play ErrorSound
+
+main = simulate when

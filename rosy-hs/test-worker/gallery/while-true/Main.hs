@@ -1,0 +1,6 @@
+main = simulate dance
+
+dance = do
+  while True:
+    drive 50
+    turn 90

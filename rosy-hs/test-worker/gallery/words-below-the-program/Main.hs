@@ -1,0 +1,3 @@
+main = simulate (drive 50)
+
+:-) the end

@@ -1,0 +1,81 @@
+"""
+Robots nearby on ROS 2, as a process of their discovery reports them (``discovery_process.py``).
+"""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import sys
+from asyncio.subprocess import DEVNULL, PIPE
+from collections.abc import Callable
+
+import msgspec
+
+from .battery import Battery
+from .transports.address import Ros2Address
+
+__all__ = ["NearbyRobot", "decode_robots", "encode_robots", "follow_robots"]
+
+
+class NearbyRobot(msgspec.Struct, frozen=True):
+    """
+    ``title`` is what it is, such as TurtleBot 3, and ``name`` what it is called: its namespace, which may be empty.
+    ``bare`` is its address without the options that ``address`` has; the address names its computer where another
+    robot of the domain has the same topics. ``zenoh`` is whether it speaks Zenoh in place of DDS.
+    """
+
+    title: str
+    name: str
+    domain: int
+    bare: str
+    address: str
+    battery: Battery
+    zenoh: bool = False
+
+
+_decoder = msgspec.json.Decoder(list[NearbyRobot])
+
+encode_robots = msgspec.json.Encoder().encode
+"""A line of the discovery's process, without its end."""
+
+decode_robots = _decoder.decode
+"""The robots of a line."""
+
+_MAX_LINE = 1_000_000
+"""Bytes of a line: thousands of robots."""
+
+_SHUTDOWN_TIMEOUT = 2.0
+"""For the process to say on the network that it leaves, before it is killed, s."""
+
+
+async def follow_robots(place: Ros2Address, on_robots: Callable[[list[NearbyRobot]], None]) -> None:
+    """
+    Calls ``on_robots`` with the robots at an address, now and whenever they change, until the discovery ends by itself
+    or this is cancelled.
+    """
+    process = await asyncio.create_subprocess_exec(
+        sys.executable,
+        "-m",
+        "rosy_sim.ros2.discovery_process",
+        place.text(),
+        stdin=PIPE,
+        stdout=PIPE,
+        stderr=DEVNULL,
+        limit=_MAX_LINE,
+        start_new_session=True,
+    )
+    assert process.stdin is not None
+    assert process.stdout is not None
+    try:
+        while line := await process.stdout.readline():
+            on_robots(decode_robots(line))
+    finally:
+        process.stdin.close()
+        try:
+            async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
+                await process.wait()
+        except TimeoutError:
+            with contextlib.suppress(ProcessLookupError):
+                process.kill()
+            await process.wait()

@@ -1,0 +1,1 @@
+"""What released versions have stored, in a folder for each, and tests that this version reads it."""

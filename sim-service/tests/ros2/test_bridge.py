@@ -1,0 +1,271 @@
+"""The bridge between ROS 2 and a client, with a base that speaks Fast DDS or Zenoh; and what stops the base."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import json
+import os
+import signal
+import sys
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.typing import Origin
+
+from ..conftest import PATIENCE, UNHURRIED
+from .bases import TRANSPORTS, Place, place
+
+SERVICE = Path(__file__).resolve().parents[2]
+
+TWIST = {"linear": {"x": 0.2}, "angular": {"z": 0.0}}
+
+
+class Process:
+    """One that says lines, which are kept."""
+
+    def __init__(self, process: asyncio.subprocess.Process) -> None:
+        self.process = process
+        self.said: list[str] = []
+
+    def ask(self, words: str) -> None:
+        assert self.process.stdin is not None
+        self.process.stdin.write(f"{words}\n".encode())
+
+    async def says(self, start: str) -> str:
+        """What follows such a beginning of a line; the lines before it are kept."""
+        assert self.process.stdout is not None
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                line = (await self.process.stdout.readline()).decode().rstrip()
+                assert line or not self.process.stdout.at_eof(), self.said
+                self.said.append(line)
+                if line.startswith(start):
+                    return line.removeprefix(start)
+
+
+@asynccontextmanager
+async def started(*command: str) -> AsyncIterator[Process]:
+    process = await asyncio.create_subprocess_exec(
+        *command, stdin=asyncio.subprocess.PIPE, stdout=asyncio.subprocess.PIPE, cwd=SERVICE
+    )
+    try:
+        yield Process(process)
+    finally:
+        if process.returncode is None:
+            process.kill()
+        await process.communicate()
+
+
+class Robot:
+    """A base, the bridge to it, and a client that has subscribed to its odometry and advertised its velocity."""
+
+    def __init__(self, base: Process, bridge: Process, client: ClientConnection) -> None:
+        self.base = base
+        self.bridge = bridge
+        self.client = client
+
+    async def send(self, **message: Any) -> None:
+        await self.client.send(json.dumps(message))
+
+    async def hears(self, **wanted: Any) -> dict[str, Any]:
+        """The next frame with these fields."""
+        async with asyncio.timeout(PATIENCE):
+            while True:
+                frame: dict[str, Any] = json.loads(await self.client.recv())
+                if frame.items() >= wanted.items():
+                    return frame
+
+    async def is_pressed(self) -> None:
+        """Presses its bumper ten times a second: a press before the base knows of the subscription is lost."""
+        while True:
+            self.base.ask("bump 1")
+            await asyncio.sleep(0.1)
+
+    async def drives(self) -> asyncio.Task[None]:
+        """Sends a velocity ten times a second, as rosy-robot does, until it is cancelled or cannot any more."""
+
+        async def repeat() -> None:
+            while True:
+                await self.send(op="publish", topic="/cmd_vel", msg=TWIST)
+                await asyncio.sleep(0.1)
+
+        task = asyncio.create_task(repeat())
+        await self.base.says("got 0.2 0")
+        self.base.ask("mark")
+        await self.base.says("marked")
+        return task
+
+
+def bridge_command(where: Place) -> list[str]:
+    return [sys.executable, "-m", "rosy_sim.ros2.bridge_process", str(where.domain), where.host, "0"]
+
+
+@asynccontextmanager
+async def robot(transport: str, kind: str = "turtlebot3", *words: str) -> AsyncIterator[Robot]:
+    with place(transport) as where:
+        async with (
+            started(*where.command, "", kind, *words) as base,
+            started(*bridge_command(where)) as bridge,
+        ):
+            port = await bridge.says("port ")
+            while "/odom" not in await bridge.says("topics "):
+                continue
+            async with connect(f"ws://127.0.0.1:{port}/", **UNHURRIED) as client:
+                it = Robot(base, bridge, client)
+                velocity = "/commands/velocity" if kind == "kobuki" else "/cmd_vel"
+                await it.send(op="advertise", topic=velocity, type="geometry_msgs/msg/Twist")
+                await it.send(op="subscribe", topic="/odom", type="nav_msgs/msg/Odometry")
+                await it.hears(op="publish", topic="/odom")
+                # The bridge and its guardian.
+                while await base.says("seen ") != "2":
+                    continue
+                yield it
+
+
+@TRANSPORTS
+@pytest.mark.parametrize("words", [(), ("stamped",), ("best_effort",), ("stamped", "best_effort")], ids=" ".join)
+def test_a_client_drives_a_base_in_the_type_and_quality_that_it_has(transport: str, words: tuple[str, ...]) -> None:
+    async def play() -> None:
+        async with robot(transport, "turtlebot3", *words) as it:
+            await it.send(op="call_service", service="/rosapi/topic_type", args={"topic": "/cmd_vel"})
+            kind = "geometry_msgs/msg/TwistStamped" if "stamped" in words else "geometry_msgs/msg/Twist"
+            assert (await it.hears(op="service_response"))["values"] == {"type": kind}
+            await it.send(op="subscribe", topic="/scan", type="sensor_msgs/msg/LaserScan")
+            assert (await it.hears(op="publish", topic="/scan"))["msg"]["ranges"] == [float("inf")] * 360
+            await it.send(op="call_service", service="/motor_power", type="std_srvs/srv/SetBool", args={"data": True})
+            await it.base.says("called motor_power 1")
+            driving = await it.drives()
+            while True:
+                odometry = (await it.hears(op="publish", topic="/odom"))["msg"]
+                if odometry["pose"]["pose"]["position"]["x"] > 0:
+                    break
+            driving.cancel()
+            await it.client.close()
+            await it.base.says("stood ")
+
+    asyncio.run(play())
+
+
+@TRANSPORTS
+def test_events_of_a_kobuki_arrive(transport: str) -> None:
+    async def play() -> None:
+        async with robot(transport, "kobuki") as it:
+            await it.send(op="subscribe", topic="/events/bumper", type="kobuki_ros_interfaces/msg/BumperEvent")
+            await it.send(op="call_service", service="/rosapi/topics_for_type", args={"type": "nav_msgs/msg/Odometry"})
+            assert (await it.hears(op="service_response"))["values"] == {"topics": ["/odom"]}
+            await it.send(op="call_service", service="/sound", type="turtlebot3_msgs/srv/Sound", args={})
+            assert not (await it.hears(op="service_response"))["result"]
+            pressing = asyncio.create_task(it.is_pressed())
+            assert (await it.hears(op="publish", topic="/events/bumper"))["msg"] == {"bumper": 0, "state": 1}
+            pressing.cancel()
+
+    asyncio.run(play())
+
+
+def test_what_does_not_fit_is_answered_and_the_client_stays() -> None:
+    async def play() -> None:
+        async with robot("DDS") as it:
+            refused: list[tuple[dict[str, Any], str]] = [
+                ({"op": "publish", "topic": "/a", "msg": {}}, "/a is not advertised"),
+                ({"op": "advertise", "topic": "/a", "type": "no/msg/Thing"}, "there is no definition of no/Thing"),
+                ({"op": "subscribe", "topic": "/a"}, "there is no definition of /a"),
+                (
+                    {"op": "publish", "topic": "/cmd_vel", "msg": {"x": 1}},
+                    "geometry_msgs/Twist does not have a field x",
+                ),
+                ({"op": "fly"}, "unknown op 'fly'"),
+            ]
+            for message, why in refused:
+                await it.send(**message)
+                assert why in (await it.hears(op="status", level="error"))["msg"]
+            await it.client.send("{")
+            assert (await it.hears(op="status"))["msg"] == "not JSON"
+
+    asyncio.run(play())
+
+
+@TRANSPORTS
+@pytest.mark.parametrize("victim", ["client", "bridge -KILL", "bridge -STOP", "client silent", "bridge ends"])
+def test_a_base_without_a_limit_of_its_own_stands_after(transport: str, victim: str) -> None:
+    """Its own limit would hide what Rosy does. It prints how long it took, by the base's clock."""
+
+    async def play() -> None:
+        async with robot(transport, "turtlebot3", "no_watchdog") as it:
+            driving = await it.drives()
+            if victim == "client":
+                it.client.transport.abort()
+            elif victim == "client silent":
+                driving.cancel()
+            elif victim == "bridge ends":
+                assert it.bridge.process.stdin is not None
+                it.bridge.process.stdin.close()
+            else:
+                os.kill(it.bridge.process.pid, getattr(signal, f"SIG{victim[-4:]}"))
+            print(f"{transport}, {victim}: {await it.base.says('stood ')} s")
+            driving.cancel()
+            # A robot that reads with best effort may miss the first.
+            await it.base.says("got 0 0")
+            if victim == "bridge -STOP":
+                # The velocities that the client has sent meanwhile are not passed on, and the client is told.
+                heard = len(it.base.said)
+                os.kill(it.bridge.process.pid, signal.SIGCONT)
+                with contextlib.suppress(ConnectionClosed):
+                    await it.hears(op="never")
+                assert it.client.close_code == 4001
+                await it.base.says("got 0 0")
+                assert not [line for line in it.base.said[heard:] if line.startswith("got 0.2")]
+
+    asyncio.run(play())
+
+
+def test_a_page_of_a_browser_is_not_let_in() -> None:
+    async def play() -> None:
+        async with robot("DDS") as it:
+            port = it.client.remote_address[1]
+            with pytest.raises(InvalidStatus):
+                async with connect(f"ws://127.0.0.1:{port}/", origin=Origin("http://example.org"), **UNHURRIED):
+                    pass
+
+    asyncio.run(play())
+
+
+def test_a_message_that_breaks_off_is_reported_and_the_next_one_arrives() -> None:
+    async def play() -> None:
+        async with robot("Zenoh") as it:
+            it.base.ask("garble")
+            assert (await it.hears(op="status"))["msg"] == "/odom: what arrives is no nav_msgs/Odometry"
+            await it.hears(op="publish", topic="/odom")
+
+    asyncio.run(play())
+
+
+def test_a_robot_over_zenoh_may_appear_later_and_its_router_may_come_back() -> None:
+    async def play() -> None:
+        with place("Zenoh") as where:
+            async with started(*bridge_command(where)) as bridge:
+                port = await bridge.says("port ")
+                async with (
+                    started(*where.command, "", "turtlebot3") as base,
+                    connect(f"ws://127.0.0.1:{port}/", **UNHURRIED) as client,
+                ):
+                    it = Robot(base, bridge, client)
+                    await it.send(op="advertise", topic="/cmd_vel", type="geometry_msgs/msg/Twist")
+                    await it.send(op="subscribe", topic="/odom", type="nav_msgs/msg/Odometry")
+                    await it.hears(op="publish", topic="/odom")
+                    await it.base.says("seen 2")
+                    base.ask("router off")
+                    assert "/odom" not in await bridge.says("topics ")
+                    base.ask("router on")
+                    while "/odom" not in await bridge.says("topics "):
+                        continue
+                    (await it.drives()).cancel()
+                    while (await it.hears(op="publish", topic="/odom"))["msg"]["pose"]["pose"]["position"]["x"] == 0:
+                        continue
+
+    asyncio.run(play())
