@@ -10,13 +10,21 @@ from collections.abc import Callable, Iterable
 
 import psutil
 
-__all__ = ["await_begin", "await_end", "below", "called", "command_of", "descriptors", "named", "resident"]
+__all__ = ["await_begin", "await_end", "below", "called", "children", "command_of", "descriptors", "named", "resident"]
 
 
 def below(pid: int) -> set[int]:
     """The descendants of a process."""
     try:
         return {process.pid for process in psutil.Process(pid).children(recursive=True)}
+    except psutil.NoSuchProcess:
+        return set()
+
+
+def children(pid: int) -> set[int]:
+    """The processes that a process has started."""
+    try:
+        return {process.pid for process in psutil.Process(pid).children()}
     except psutil.NoSuchProcess:
         return set()
 

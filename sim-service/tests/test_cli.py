@@ -27,6 +27,7 @@ from rosy_sim.worker import launcher
 from rosy_sim.worker.launcher import missing_sandbox
 
 from .conftest import FAKE_WORKER, PATIENCE
+from .processes import await_end, children
 
 ROOT = Path(__file__).resolve().parents[1]
 CODEGEN = pytest.mark.skipif(
@@ -469,11 +470,11 @@ def test_a_signal_ends_the_service_and_its_worker(sent: int, environment: dict[s
         address = service.stdout.readline().split(" at ")[1].split()[0]
         health = httpx.get(f"{address}api/health", timeout=PATIENCE).json()
         assert health["sessions"] == 0
-        children = Path(f"/proc/{service.pid}/task/{service.pid}/children").read_text().split()
-        assert children
+        started = children(service.pid)
+        assert started
         service.send_signal(sent)
         assert service.wait(PATIENCE) == 0
-    assert not any(Path(f"/proc/{child}").exists() for child in children)
+    await_end(started, PATIENCE)
 
 
 def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, str]) -> None:

@@ -28,6 +28,7 @@ import pytest
 from rosy_sim.config import discover
 from rosy_sim.ownership.driver_locks import active_drivers, canonical_address
 
+from ..processes import below, called, children, command_of
 from ..web.page_client import opened
 from .robot_rig import Rig, Robot, kobuki, ros2, rosbridge, rospy, zenoh
 
@@ -102,36 +103,6 @@ def table(request: pytest.FixtureRequest) -> Iterator[Table]:
             print(f"{row:34}" + "".join(f"{cells.get(link, ''):>13}" for link in LINKS))
 
 
-def children(process: int) -> list[int]:
-    """Of all its threads."""
-    found: list[int] = []
-    for threads in Path(f"/proc/{process}/task").glob("*/children"):
-        with contextlib.suppress(FileNotFoundError, ProcessLookupError):
-            found.extend(int(p) for p in threads.read_text().split())
-    return found
-
-
-def name_of(process: int) -> str:
-    """As the process calls itself; empty when it has ended."""
-    try:
-        return Path(f"/proc/{process}/comm").read_text().strip()
-    except OSError:
-        return ""
-
-
-def command_of(process: int) -> bytes:
-    """Its command line; empty when it has ended."""
-    try:
-        return Path(f"/proc/{process}/cmdline").read_bytes()
-    except OSError:
-        return b""
-
-
-def family(process: int) -> list[int]:
-    """A process and all that it has started."""
-    return [process, *(p for child in children(process) for p in family(child))]
-
-
 @asynccontextmanager
 async def started(module: str, robot: Robot, *arguments: str) -> AsyncIterator[asyncio.subprocess.Process]:
     """A module of the tests as a process; ended with all that it has started, whatever stands still."""
@@ -143,7 +114,9 @@ async def started(module: str, robot: Robot, *arguments: str) -> AsyncIterator[a
         yield process
     finally:
         driver = robot_driver(robot)
-        ours = [*family(process.pid), *([] if driver is None else family(driver))]
+        ours = {process.pid, *below(process.pid)}
+        if driver is not None:
+            ours |= {driver, *below(driver)}
         for pid in ours:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
@@ -174,9 +147,9 @@ async def driving(death: Death, robot: Robot, folder: Path) -> AsyncIterator[dic
             await rig.takes()
             await rig.drives()
             try:
-                [program] = [p for p in family(service.pid) if name_of(p) == "program"]
-                guardian = children(rig.driver)
-                bridges = [p for p in children(service.pid) if b"rosy_sim.ros2.bridge_process" in command_of(p)]
+                [program] = [p for p in below(service.pid) if called(p) == "program"]
+                guardian = list(children(rig.driver))
+                bridges = [p for p in children(service.pid) if "rosy_sim.ros2.bridge_process" in command_of(p)]
                 yield {
                     "bridge": bridges,
                     "service": [service.pid],

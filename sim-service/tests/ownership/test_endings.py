@@ -23,6 +23,7 @@ from rosy_sim.ownership.driver_locks import emergency_stop
 from rosy_sim.web.sessions.page_session import PageSession
 
 from ..conftest import PATIENCE, UNHURRIED
+from ..processes import children
 from ..web.page_client import Page, opened, serving
 from .robot_rig import LIMIT, Rig, Robot, kobuki, rosbridge, rospy
 
@@ -48,12 +49,9 @@ async def _program_fails(rig: Rig) -> None:
 
 
 async def _program_is_killed(rig: Rig) -> None:
+    assert rig.service.worker.pid is not None
     [program] = children(rig.service.worker.pid)
     os.kill(program, signal.SIGKILL)
-
-
-def children(process: int | None) -> list[int]:
-    return [int(p) for p in Path(f"/proc/{process}/task/{process}/children").read_text().split()]
 
 
 async def _page_is_closed(rig: Rig) -> None:

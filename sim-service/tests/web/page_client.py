@@ -101,13 +101,16 @@ class Page:
         return await self.until(_like({"op": op, **fields}))
 
     async def all_of(self, *wanted: Message) -> list[Message]:
-        """The next message that matches each of ``wanted``; they may arrive in any order."""
+        """The next message that matches each of ``wanted``; they may arrive in any order, within `PATIENCE` in all."""
         found: list[Message | None] = [None] * len(wanted)
-        while None in found:
-            message = await self.until(lambda _: True)
+
+        def is_last(message: Message) -> bool:
             fits = [_like(one)(message) and found[i] is None for i, one in enumerate(wanted)]
             if True in fits:
                 found[fits.index(True)] = message
+            return None not in found
+
+        await self.until(is_last)
         return [message for message in found if message is not None]
 
     async def ended(self, run: int) -> Message:
