@@ -9,6 +9,7 @@ import qualified Test.Ros.Listings
 import qualified Test.Ros.Messages
 import qualified Test.Ros.Names
 import qualified Test.Ros.Net
+import qualified Test.Ros.Roshask
 import qualified Test.Ros.Stamped
 import qualified Test.Ros.System
 import qualified Test.Ros.Topic
@@ -32,6 +33,7 @@ suite =
       Test.Ros.Names.tests,
       Test.Ros.Net.tests,
       Test.Ros.Stamped.tests,
+      Test.Ros.Roshask.tests,
       Test.Ros.System.tests,
       Test.Ros.Topic.tests,
       Test.Ros.Genpy.tests

@@ -24,6 +24,9 @@ CONTROL = ["NUL", "SOH", "STX", "ETX", "EOT", "ENQ", "ACK", "a", "b", "t", "n", 
 VALUES = 3
 RANGES = {"int8": 8, "byte": 8, "int16": 16, "int32": 32, "int64": 64}
 UNSIGNED = {"uint8": 8, "char": 8, "uint16": 16, "uint32": 32, "uint64": 64}
+HASKELL_WORDS = set(
+    "case class data default deriving do else forall foreign if import in infix infixl infixr instance let module newtype of then type where".split()
+)
 LETTERS = "abc XYZ019\"\\'#=\t\n\x00\x0e\x7fH\u00e9\u00df\u20ac\U0001f916"
 
 
@@ -116,12 +119,9 @@ def show(it, ros_type):
         return f"{name} {{{slots}}}" if slots else name
     if ros_type.endswith("]"):
         element = ros_type.split("[")[0]
-        if element in ("uint8", "char"):
-            return quoted(bytes(it).decode("latin-1"))
         return "[" + ",".join(show(x, element) for x in it) + "]"
     if isinstance(it, TVal):
-        name = "ROSTime" if ros_type == "time" else "ROSDuration"
-        return f"{name} {argument(it.secs)} {argument(it.nsecs)}"
+        return f"({it.secs},{it.nsecs})"
     if isinstance(it, str):
         return quoted(it)
     if ros_type == "bool":
@@ -132,12 +132,9 @@ def show(it, ros_type):
 
 
 def field(slot):
-    """genpy puts an underscore behind what is a word of Python's."""
-    return slot[:-1] if slot.endswith("_") and keyword.iskeyword(slot[:-1]) else slot
-
-
-def argument(number):
-    return f"({number})" if number < 0 else str(number)
+    """genpy puts an underscore behind what is a word of Python's; the generator puts one before what is a word of Haskell's."""
+    name = slot[:-1] if slot.endswith("_") and keyword.iskeyword(slot[:-1]) else slot
+    return f"_{name}" if name in HASKELL_WORDS else name
 
 
 def shown_float(number, ros_type):

@@ -2,7 +2,7 @@
 A rospy node that does what its standard input says, one command a line, and says on its standard output what it sees.
 
 In: `sub TOPIC TYPE`, `pub TOPIC TYPE [latch]`, `send TOPIC JSON`, `stream TOPIC JSON`, `flood TOPIC COUNT`, `echo FROM TO`, `time COUNT TOPIC BACK [TOPIC BACK]`,
-`serve NAME`, `call NAME TYPE JSON...` (one connection for all), `connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
+`serve NAME`, `add NAME`, `call NAME TYPE JSON...` (one connection for all), `connected TOPIC COUNT`, `listening TOPIC`, `heard TOPIC COUNT`, `watchdog TOPIC`, `mark`, `param get|set NAME JSON`, `rosout`, `quit`.
 Out: `ready`, `got TOPIC JSON` for every message, an answer per command; that to `mark` comes as soon as a
 watched velocity is not zero, and behind it `stood SECONDS` when it is zero or the watchdog has spoken, by its own clock. It never decides whether a test passes.
 """
@@ -170,6 +170,18 @@ def serve(name):
     say("serving", name)
 
 
+def add(name):
+    """A rospy_tutorials/AddTwoInts."""
+    from rospy_tutorials.srv import AddTwoInts, AddTwoIntsResponse
+
+    def answer(request):
+        say("asked", name, str(request.a), str(request.b))
+        return AddTwoIntsResponse(request.a + request.b)
+
+    rospy.Service(name, AddTwoInts, answer)
+    say("serving", name)
+
+
 def call_service(name, type_name, *texts):
     package, base = type_name.split("/")
     kind = getattr(importlib.import_module(package + ".srv"), base)
@@ -261,6 +273,7 @@ COMMANDS = {
     "echo": echo,
     "time": measure,
     "serve": serve,
+    "add": add,
     "call": call_service,
     "watchdog": watchdog,
     "mark": mark,

@@ -31,7 +31,7 @@ import GHC.TypeLits (SomeSymbol (..), someSymbolVal)
 import Ros.Message (RosBinary (put))
 import qualified Ros.Net.Master as Master
 import Ros.Net.Tcpros (frame)
-import Ros.Node
+import Ros.Node hiding (Topic)
 import Ros.Node.Core (master)
 import Ros.SlicedTimeout (timeoutInSlices)
 import qualified Ros.Topic as Ros

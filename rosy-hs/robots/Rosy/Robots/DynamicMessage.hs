@@ -36,7 +36,7 @@ import GHC.Float (double2Float, float2Double)
 import GHC.TypeLits (KnownSymbol, Symbol, symbolVal)
 import Ros.Gen.Md5
 import Ros.Gen.Msg
-import Ros.Message (Default (..), Message (..), ROSDuration (..), ROSTime (..), RosBinary (..))
+import Ros.Message (Default (..), Message (..), ROSDuration, ROSTime, RosBinary (..))
 import Rosy.JsonNumber (doubleIn, doubleValue)
 import Rosy.Profile (robotMessages)
 import Rosy.Robot.Known (robots)
@@ -131,8 +131,8 @@ getBuiltin b = case b of
   TFloat32 -> doubleValue . float2Double <$> get
   TFloat64 -> doubleValue <$> get
   TString -> String . T.pack <$> get
-  TTime -> (\(ROSTime s n) -> moment (fromIntegral s) (fromIntegral n)) <$> get
-  TDuration -> (\(ROSDuration s n) -> moment (fromIntegral s) (fromIntegral n)) <$> get
+  TTime -> (\(s, n) -> moment (fromIntegral s) (fromIntegral n)) <$> (get :: Get ROSTime)
+  TDuration -> (\(s, n) -> moment (fromIntegral s) (fromIntegral n)) <$> (get :: Get ROSDuration)
   TByte -> whole (get :: Get Int8)
   TChar -> whole (get :: Get Word8)
   where
@@ -173,8 +173,8 @@ putBuiltin b v = case b of
   TFloat32 -> put (double2Float decimal)
   TFloat64 -> put decimal
   TString -> put (case v of String s -> T.unpack s; _ -> "")
-  TTime -> put (ROSTime 0 0)
-  TDuration -> put (ROSDuration 0 0)
+  TTime -> put (def :: ROSTime)
+  TDuration -> put (def :: ROSDuration)
   TByte -> put (whole :: Int8)
   TChar -> put (whole :: Word8)
   where

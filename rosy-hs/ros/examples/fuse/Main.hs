@@ -7,7 +7,7 @@
 -- go, and the speed moves from what odometry says towards that; ten times a second at most.
 module Main (main) where
 
-import qualified Data.Vector.Unboxed as V
+import qualified Data.Vector.Storable as V
 import Ros.Geometry_msgs.Twist (Twist, linear)
 import qualified Ros.Geometry_msgs.TwistWithCovariance as Covariance
 import qualified Ros.Geometry_msgs.Vector3 as Vector3

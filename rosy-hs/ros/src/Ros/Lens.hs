@@ -9,8 +9,11 @@
 module Ros.Lens
   ( Lens,
     (^.),
+    view,
     (.~),
+    set,
     (%~),
+    over,
     (&),
   )
 where
@@ -28,8 +31,20 @@ infixr 4 .~, %~
 (^.) :: s -> ((a -> Const a a) -> s -> Const a s) -> a
 s ^. l = getConst (l Const s)
 
+-- | > view l s = s ^. l
+view :: ((a -> Const a a) -> s -> Const a s) -> s -> a
+view l s = s ^. l
+
 (.~) :: ((a -> Identity a) -> s -> Identity s) -> a -> s -> s
 l .~ x = runIdentity . l (const (Identity x))
 
+-- | > set l x = l .~ x
+set :: ((a -> Identity a) -> s -> Identity s) -> a -> s -> s
+set = (.~)
+
 (%~) :: ((a -> Identity a) -> s -> Identity s) -> (a -> a) -> s -> s
 l %~ g = runIdentity . l (Identity . g)
+
+-- | > over l g = l %~ g
+over :: ((a -> Identity a) -> s -> Identity s) -> (a -> a) -> s -> s
+over = (%~)

@@ -11,8 +11,8 @@ module Ros.Message
     Message (..),
     Default (..),
     RosBinary (..),
-    ROSTime (..),
-    ROSDuration (..),
+    ROSTime,
+    ROSDuration,
 
     -- * Using one
     encode,
@@ -25,14 +25,12 @@ module Ros.Message
     Count (..),
     putBytes,
     getBytes,
-    defBytes,
     putNumbers,
     getNumbers,
     defNumbers,
     putList,
     getList,
     defList,
-    ByteString,
     Vector,
     Int8,
     Int16,
@@ -50,14 +48,15 @@ import Data.Binary.Get hiding (getBytes)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString as B
 import Data.ByteString.Builder
+import Data.ByteString.Internal (fromForeignPtr, toForeignPtr)
 import qualified Data.ByteString.Lazy as L
 import Data.Int (Int16, Int32, Int64, Int8)
 import Data.Proxy (Proxy)
 import qualified Data.Text as T
 import qualified Data.Text.Encoding as T
 import qualified Data.Text.Encoding.Error as T
-import Data.Vector.Unboxed (Unbox, Vector)
-import qualified Data.Vector.Unboxed as V
+import Data.Vector.Storable (Storable, Vector)
+import qualified Data.Vector.Storable as V
 import Data.Word (Word16, Word32, Word64, Word8)
 
 -- | A type that can be sent over a topic.
@@ -83,19 +82,17 @@ class RosBinary a where
   get :: Get a
 
 -- | Seconds and nanoseconds since 1970.
-data ROSTime = ROSTime !Word32 !Word32
-  deriving (Eq, Ord, Show)
+type ROSTime = (Word32, Word32)
 
 -- | Seconds and nanoseconds; both carry the sign.
-data ROSDuration = ROSDuration !Int32 !Int32
-  deriving (Eq, Ord, Show)
+type ROSDuration = (Int32, Int32)
 
 toSeconds :: ROSTime -> Double
-toSeconds (ROSTime s n) = fromIntegral s + fromIntegral n * 1e-9
+toSeconds (s, n) = fromIntegral s + fromIntegral n * 1e-9
 
 -- | Negative times become 1970: ROS has no others.
 fromSeconds :: Double -> ROSTime
-fromSeconds t = ROSTime (fromIntegral (s + carry)) (fromIntegral n)
+fromSeconds t = (fromIntegral (s + carry), fromIntegral n)
   where
     s = floor (max 0 t) :: Integer
     (carry, n) = (round ((max 0 t - fromIntegral s) * 1e9) :: Integer) `divMod` 1000000000
@@ -132,41 +129,39 @@ getCount :: Count -> Get Int
 getCount Counted = fromIntegral <$> getWord32le
 getCount (Fixed n) = pure n
 
-putBytes :: Count -> ByteString -> Builder
-putBytes count b = putCount count (B.length b) <> byteString (sized b)
+-- | As 'putNumbers', without looking at each byte: a picture has a million.
+putBytes :: Count -> Vector Word8 -> Builder
+putBytes count v = putCount count (V.length v) <> byteString (fromForeignPtr start 0 size)
   where
-    sized = case count of
-      Counted -> id
-      Fixed n -> \x -> B.take n x <> B.replicate (n - B.length x) 0
+    (start, size) = V.unsafeToForeignPtr0 (sized count v)
 
-getBytes :: Count -> Get ByteString
-getBytes count = fmap B.copy (getCount count >>= getByteString) -- a copy, so that a small field does not keep a whole packet
+getBytes :: Count -> Get (Vector Word8)
+getBytes count = do
+  bytes <- getCount count >>= getByteString
+  let (start, offset, size) = toForeignPtr (B.copy bytes) -- a copy, so that a small field does not keep a whole packet
+  pure $! V.unsafeFromForeignPtr start offset size
 
-defBytes :: Count -> ByteString
-defBytes Counted = B.empty
-defBytes (Fixed n) = B.replicate n 0
+putNumbers :: (Storable a, RosBinary a, Default a) => Count -> Vector a -> Builder
+putNumbers count v = putCount count (V.length v) <> V.foldr (\x rest -> put x <> rest) mempty (sized count v)
 
-putNumbers :: (Unbox a, RosBinary a, Default a) => Count -> Vector a -> Builder
-putNumbers count v = putCount count (V.length v) <> V.foldr (\x rest -> put x <> rest) mempty (sized v)
-  where
-    sized = case count of
-      Counted -> id
-      Fixed n -> \x -> V.take n x V.++ V.replicate (n - V.length x) def
+sized :: (Storable a, Default a) => Count -> Vector a -> Vector a
+sized Counted v = v
+sized (Fixed n) v = if V.length v == n then v else V.take n v V.++ V.replicate (n - V.length v) def
 
 -- | A length that the message cannot hold fails as soon as the bytes run out.
-getNumbers :: (Unbox a, RosBinary a) => Count -> Get (Vector a)
+getNumbers :: (Storable a, RosBinary a) => Count -> Get (Vector a)
 getNumbers count = do
   n <- getCount count
   V.fromListN n <$> replicateChecked n get
 
-defNumbers :: (Unbox a, Default a) => Count -> Vector a
+defNumbers :: (Storable a, Default a) => Count -> Vector a
 defNumbers Counted = V.empty
 defNumbers (Fixed n) = V.replicate n def
 
 putList :: (RosBinary a, Default a) => Count -> [a] -> Builder
-putList count xs = putCount count (length xs) <> foldMap put (sized xs)
+putList count xs = putCount count (length xs) <> foldMap put (exactly xs)
   where
-    sized = case count of
+    exactly = case count of
       Counted -> id
       Fixed n -> \x -> take n (x ++ repeat def)
 
@@ -215,16 +210,18 @@ instance RosBinary Double where put = doubleLE; get = getDoublele
 
 -- | A string. UTF-8; bytes that are not become replacement characters.
 instance a ~ Char => RosBinary [a] where
-  put s = putBytes Counted (T.encodeUtf8 (T.pack s))
+  put s = putCount Counted (B.length bytes) <> byteString bytes
+    where
+      bytes = T.encodeUtf8 (T.pack s)
   get = T.unpack . T.decodeUtf8With T.lenientDecode <$> (getCount Counted >>= getByteString)
 
-instance RosBinary ROSTime where
-  put (ROSTime s n) = word32LE s <> word32LE n
-  get = ROSTime <$> getWord32le <*> getWord32le
-
-instance RosBinary ROSDuration where
-  put (ROSDuration s n) = int32LE s <> int32LE n
-  get = ROSDuration <$> getInt32le <*> getInt32le
+-- | A time or a duration. Both parts are evaluated, so that a message keeps none of the bytes that it came from.
+instance (RosBinary a, RosBinary b) => RosBinary (a, b) where
+  put (x, y) = put x <> put y
+  get = do
+    x <- get
+    y <- get
+    x `seq` y `seq` pure (x, y)
 
 instance Default Bool where def = False
 
@@ -250,6 +247,4 @@ instance Default Double where def = 0
 
 instance Default [a] where def = []
 
-instance Default ROSTime where def = ROSTime 0 0
-
-instance Default ROSDuration where def = ROSDuration 0 0
+instance (Default a, Default b) => Default (a, b) where def = (def, def)

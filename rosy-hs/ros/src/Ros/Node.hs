@@ -24,8 +24,14 @@ module Ros.Node
     NodeError (..),
     explainNodeError,
 
-    -- * Topics in
+    -- * Topics
     TopicName,
+    Topic (..),
+    topicRate,
+    ROSTime,
+    ROSDuration,
+
+    -- * Topics in
     subscribe,
     subscribeBuffered,
     runHandler,
@@ -54,7 +60,7 @@ module Ros.Node
     ServiceError (..),
     explainServiceError,
     offerService,
-    callService,
+    requestService,
     withServiceConnection,
     awaitService,
 
@@ -97,7 +103,7 @@ import qualified Data.Map.Strict as Map
 import Data.Maybe (fromMaybe)
 import qualified Data.Set as Set
 import Data.Time.Clock.POSIX (getPOSIXTime)
-import Ros.Message (Message, ROSTime, fromSeconds)
+import Ros.Message (Message, ROSDuration, ROSTime, fromSeconds)
 import Ros.Names (Name, Naming (..), plain, resolve)
 import qualified Ros.Net.Master as Master
 import Ros.Net.Rpc (RpcError, explainRpcError)
@@ -109,10 +115,11 @@ import Ros.Node.Run
 import Ros.Node.Service
 import Ros.Node.Subscribe
 import qualified Ros.Rosgraph_msgs.Clock as Clock
-import Ros.Service
+import Ros.Service.Class
 import Ros.SlicedTimeout (timeoutInSlices)
-import Ros.Topic (Topic)
+import Ros.Topic (Topic (..))
 import qualified Ros.Topic as Topic
+import Ros.Topic.Util (topicRate)
 import System.IO (BufferMode (..), hSetBuffering, stderr, stdout)
 import System.Posix.Signals (Handler (..), installHandler, sigINT, sigTERM)
 import System.Timeout (timeout)
@@ -173,7 +180,7 @@ nodeIO use = Node (ask >>= \env -> liftIO (use (\(Node r) -> runReaderT r env)))
 resolved :: Name -> Node Name
 resolved n = (\core -> resolve (coreNaming core) n) <$> askCore
 
--- | The messages that arrive from now on. Up to 1,000 may wait to be pulled; then the oldest goes.
+-- | The messages that arrive from now on. Each reader of the topic gets all of them. Up to 1,000 may wait until one pulls; then the oldest goes.
 subscribe :: Message a => TopicName -> Node (Topic IO a)
 subscribe = subscribeBuffered 1000
 
@@ -227,7 +234,7 @@ awaitListeners limit = do
   ours <- liftIO (readTVarIO (publications core))
   gone <- liftIO (newTVarIO Set.empty)
   let listeners = Map.intersectionWith (,) known ours
-      connected (nodes, p) = do
+      complete (nodes, p) = do
         peers <- map outletPeer . Map.elems <$> readTVar (pubOutlets p)
         dead <- readTVar gone
         check (all (\n -> n `elem` peers || Set.member n dead) nodes)
@@ -235,7 +242,7 @@ awaitListeners limit = do
         answers <- timeout answerTimeout (Master.nodeAnswers (master core) n)
         when (answers /= Just True) (atomically (modifyTVar' gone (Set.insert n)))
   liftIO . withAsync (forConcurrently_ (Set.fromList (concatMap fst (Map.elems listeners))) probe) $ \_ ->
-    void (timeoutInSlices limit (atomically (mapM_ connected listeners)))
+    void (timeoutInSlices limit (atomically (mapM_ complete listeners)))
 
 -- | Time for a node to answer whether it is there, microseconds: peers answer in a millisecond.
 answerTimeout :: Int
@@ -264,18 +271,18 @@ offerService s name act = do
   liftIO (openService core s n act)
 
 -- | One call, on a connection of its own.
-callService :: Service s => s -> ServiceName -> Request s -> Node (Either ServiceError (Response s))
-callService s name request = do
-  core <- askCore
-  n <- resolved name
-  join <$> liftIO (connectService core False s n ($ request))
+requestService :: Service s => s -> ServiceName -> Request s -> Node (Either ServiceError (Response s))
+requestService s name request = join <$> connected False s name ($ request)
 
 -- | Calls on one connection, one after the other, for as long as the action takes.
 withServiceConnection :: Service s => s -> ServiceName -> ((Request s -> IO (Either ServiceError (Response s))) -> IO a) -> Node (Either ServiceError a)
-withServiceConnection s name use = do
+withServiceConnection = connected True
+
+connected :: Service s => Bool -> s -> ServiceName -> ((Request s -> IO (Either ServiceError (Response s))) -> IO a) -> Node (Either ServiceError a)
+connected persistent s name use = do
   core <- askCore
   n <- resolved name
-  liftIO (connectService core True s n use)
+  liftIO (connectService (master core) persistent (serviceType s, serviceMd5 s) n use)
 
 -- | Waits until a node answers for the service.
 awaitService :: ServiceName -> Node ()

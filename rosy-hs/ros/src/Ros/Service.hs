@@ -1,50 +1,51 @@
-{-# LANGUAGE FlexibleContexts #-}
-
 -- |
 -- Module      : Ros.Service
--- Description : What a service is: a request and a response, one for one.
+-- Description : What services are, and a call of one by a program that need not be a node.
 --
--- The modules that @rosy-messages@ makes of @.srv@ files import this one. "Ros.Node.Service" offers and calls services.
+-- > main = callService "/add_two_ints" (AddTwoIntsRequest 10 5) >>= either (fail . show) (print :: AddTwoIntsResponse -> IO ())
+--
+-- The types of request and response say which service is meant. "Ros.Node" has 'Ros.Node.requestService', which gets the type of the
+-- response from the service's own type, and calls that share a connection.
 module Ros.Service
-  ( Service (..),
+  ( callService,
+    Service (..),
+    SrvInfo (..),
     ServiceError (..),
     explainServiceError,
   )
 where
 
-import Ros.Message (Message)
+import Control.Monad (join)
+import Data.Bifunctor (first)
+import Ros.Names (Name, Naming (..), resolve)
+import Ros.Net.Master (Master (..))
+import Ros.Net.Rpc (Uri (..))
+import Ros.Node.Core (explainNodeError)
+import Ros.Node.Run (Settings (..), masterAddress, namingOf, settingsFromSystem)
+import Ros.Node.Service (connectService)
+import Ros.Service.Class
+import Ros.Service.ServiceTypes (ServiceResponseExcept (..))
 
--- | A type whose only value stands for the service.
-class (Message (Request s), Message (Response s)) => Service s where
-  type Request s
-  type Response s
+-- | One call. Master, namespace and remappings are those that environment and arguments give a node, and the caller is called like the
+-- program.
+callService :: (SrvInfo a, SrvInfo b) => Name -> a -> IO (Either ServiceResponseExcept b)
+callService name request = do
+  settings <- settingsFromSystem
+  case masterAddress settings of
+    Left why -> pure (Left (MasterExcept (explainNodeError why)))
+    Right address -> do
+      let naming = namingOf settings (programName settings)
+          -- It has no server of its own, and nobody asks for one: it registers nothing.
+          asker = Master address (ownName naming) (Uri "" 0)
+      first inRoshask . join <$> connectService asker False (srvTypeName request, srvMD5 request) (resolve naming name) ($ request)
 
-  -- | @std_srvs/SetBool@
-  serviceType :: s -> String
-
-  serviceMd5 :: s -> String
-
--- | Why a call has no response.
-data ServiceError
-  = -- | No node offers a service of this name.
-    NoSuchService String
-  | -- | The service of this name is another one: type and sum there, type and sum here.
-    OtherService (String, String) (String, String)
-  | -- | The service answers that it failed, in its words.
-    ServiceFailed String
-  | -- | The node of the service cannot be reached, or was lost before it answered.
-    ConnectionLost String
-  | -- | The answer cannot be read.
-    StrangeAnswer String
-  | -- | The master could not be asked.
-    MasterLost String
-  deriving (Eq, Show)
-
-explainServiceError :: ServiceError -> String
-explainServiceError e = case e of
-  NoSuchService n -> "No node offers the service " ++ n ++ "."
-  OtherService (t, m) (t', m') -> "The service is " ++ t ++ "/" ++ m ++ ", and this program calls " ++ t' ++ "/" ++ m' ++ "."
-  ServiceFailed why -> "The service failed: " ++ why
-  ConnectionLost why -> "The connection to the service was lost: " ++ why ++ "."
-  StrangeAnswer why -> "The service's answer cannot be read: " ++ why ++ "."
-  MasterLost why -> "The ROS master could not be asked: " ++ why ++ "."
+inRoshask :: ServiceError -> ServiceResponseExcept
+inRoshask e = case e of
+  NoSuchService _ -> MasterExcept why
+  MasterLost _ -> MasterExcept why
+  OtherService _ _ -> ConHeadExcept why
+  ServiceFailed said -> NotOkExcept said
+  ConnectionLost _ -> ConnectExcept why
+  StrangeAnswer _ -> ResponseReadExcept why
+  where
+    why = explainServiceError e

@@ -19,7 +19,6 @@ module Ros.Topic
     repeatM,
     unfold,
     iterate,
-    fromList,
     cons,
 
     -- * Taking one apart
@@ -40,7 +39,6 @@ module Ros.Topic
     scan,
     mapAccum,
     join,
-    concats,
 
     -- * Giving some values for some others
     IterCont (..),
@@ -64,20 +62,6 @@ module Ros.Topic
     takeWhile,
     takeWhile_,
 
-    -- * Windows
-    consecutive,
-    slidingWindow,
-    slidingWindowG,
-    subsample,
-    finiteDifference,
-    weightedMean,
-    weightedMean2,
-    weightedMeanNormalized,
-    simpsonsRule,
-    filterBy,
-    gate,
-    topicOn,
-
     -- * Showing
     showTopic,
     hoist,
@@ -88,7 +72,6 @@ import qualified Control.Monad as M
 import Control.Monad.IO.Class (MonadIO (..))
 import Data.Bifunctor (bimap, second)
 import Prelude hiding (break, drop, dropWhile, filter, head, iterate, mapM, mapM_, repeat, splitAt, tail, take, takeWhile)
-import qualified Prelude as P
 
 -- | An action that gives a value and what comes after it. A topic has no end.
 newtype Topic m a = Topic {runTopic :: m (a, Topic m a)}
@@ -114,13 +97,6 @@ unfold step s = Topic (fmap (second (unfold step)) (step s))
 
 iterate :: Applicative m => (a -> a) -> a -> Topic m a
 iterate f = unfold (\x -> pure (x, f x))
-
--- | The list, then its last value for ever: a topic has no end. The list must not be empty.
-fromList :: Applicative m => [a] -> Topic m a
-fromList xs = case xs of
-  [] -> errorWithoutStackTrace "Ros.Topic.fromList: the list is empty, and a topic has no end"
-  [x] -> pure x
-  x : rest -> Topic (pure (x, fromList rest))
 
 cons :: Applicative m => a -> Topic m a -> Topic m a
 cons x t = Topic (pure (x, t))
@@ -278,12 +254,6 @@ given y rest = maybe (runTopic rest) (\v -> pure (v, rest)) y
 join :: Monad m => Topic m (m a) -> Topic m a
 join = mapM id
 
--- | > concats t = concat t
-concats :: (Monad m, Foldable t) => Topic m (t a) -> Topic m a
-concats t = Topic $ do
-  (xs, rest) <- runTopic t
-  runTopic (foldr cons (concats rest) xs)
-
 filter :: Monad m => (a -> Bool) -> Topic m a -> Topic m a
 filter p t = Topic (runTopic t >>= \(x, rest) -> if p x then pure (x, filter p rest) else runTopic (filter p rest))
 
@@ -291,74 +261,6 @@ catMaybes :: Monad m => Topic m (Maybe a) -> Topic m a
 catMaybes t = Topic $ do
   (x, rest) <- runTopic t
   maybe (runTopic (catMaybes rest)) (\y -> pure (y, catMaybes rest)) x
-
--- | Each value with the one after it.
-consecutive :: Monad m => Topic m a -> Topic m (a, a)
-consecutive t = Topic (runTopic t >>= \(x, rest) -> runTopic (go x rest))
-  where
-    go x rest = Topic (runTopic rest >>= \(y, more) -> pure ((x, y), go y more))
-
--- | The newest @n@ values as one, the oldest first; starts when there are so many.
---
--- > slidingWindow 2 (fmap pure t) = the lists of two neighbours
-slidingWindow :: (Monad m, Monoid a) => Int -> Topic m a -> Topic m a
-slidingWindow n = fmap mconcat . windows n
-
--- | The sum of the newest @n@ values.
-slidingWindowG :: (Monad m, Num a) => Int -> Topic m a -> Topic m a
-slidingWindowG n = fmap sum . windows n
-
-windows :: Monad m => Int -> Topic m a -> Topic m [a]
-windows n t = Topic (splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs rest))
-  where
-    go xs rest = Topic (runTopic rest >>= \(x, more) -> let w = xs ++ [x] in pure (w, go (P.drop 1 w) more))
-
--- | Leaves out @n@ values before each that it gives.
-subsample :: Monad m => Int -> Topic m a -> Topic m a
-subsample n t = Topic (runTopic (drop n t) >>= \(x, rest) -> pure (x, subsample n rest))
-
--- | > finiteDifference f t = zipWith f t (tail t)
-finiteDifference :: Monad m => (a -> a -> b) -> Topic m a -> Topic m b
-finiteDifference f = fmap (uncurry f) . consecutive
-
--- | @weightedMean w plus scale@: a running mean, in which what came before weighs @w@ and each new value @1 - w@. It
--- begins with the mean of the first two. For values that are not numbers, hence the two functions.
-weightedMean :: (Monad m, Num n) => n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
-weightedMean w = weightedMean2 w (1 - w)
-
--- | As 'weightedMean', with both weights.
-weightedMean2 :: Monad m => n -> n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
-weightedMean2 old new plus scale = weightedMeanNormalized old new plus scale id
-
--- | And with a function for the sum, so that whole numbers can be weighed: @weightedMeanNormalized 7 1 (+) (*) (`div` 8)@.
-weightedMeanNormalized :: Monad m => n -> n -> (b -> b -> c) -> (n -> a -> b) -> (c -> a) -> Topic m a -> Topic m a
-weightedMeanNormalized old new plus scale normalize t = Topic (runTopic t >>= \(x, more) -> runTopic (scan step x more))
-  where
-    step mean x = normalize (plus (scale old mean) (scale new x))
-
--- | Integrates over every three neighbours, which are one unit of time apart: a third of the outer ones and four of the middle one.
--- The functions add and scale values that need not be numbers.
-simpsonsRule :: (Monad m, Fractional n) => (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
-simpsonsRule plus scale t = fmap area (consecutive (consecutive t))
-  where
-    area ((a, b), (_, c)) = scale (1 / 3) (plus (plus a (scale 4 b)) c)
-
--- | The first value that satisfies the first predicate, the first one after it that satisfies the second, and so on.
-filterBy :: Monad m => Topic m (a -> Bool) -> Topic m a -> Topic m a
-filterBy predicates t = Topic $ do
-  (p, more) <- runTopic predicates
-  (x, rest) <- runTopic (dropWhile (not . p) t)
-  pure (x, filterBy more rest)
-
--- | A value of the left for every value of the right.
-gate :: Applicative m => Topic m a -> Topic m b -> Topic m a
-gate t ticks = const <$> t <*> ticks
-
--- | Changes a part of each value: how to take it out, how to put the new one back, and what makes the function that changes it.
-topicOn :: Monad m => (a -> b) -> (a -> c -> d) -> m (b -> m c) -> Topic m a -> Topic m d
-topicOn part back changing t = Topic $ do
-  change <- changing
-  runTopic (mapM (\x -> back x <$> change (part x)) t)
 
 -- | Prints every value as it passes.
 showTopic :: (MonadIO m, Show a) => Topic m a -> Topic m ()

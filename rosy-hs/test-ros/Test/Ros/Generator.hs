@@ -107,7 +107,7 @@ tests =
       testProperty "any text is read or refused, and what is read can be printed" $ \text ->
         case readMsg led text of
           Left e -> property (not (null (explainMsgError e)))
-          Right m -> property (not (null (haskellModule "" "" m)))
+          Right m -> property (not (null (haskellModule Nothing "" "" m)))
     ]
   where
     cyclic = messages <$> traverse (\(name, text) -> either (Left . explainMsgError) Right (readMsg (MsgName "p" name) text)) [("Self", "int8 x\nSelf[] more\n"), ("A", "B b\n"), ("B", "A[2] a\n"), ("Outer", "Leaf l\nA a\n"), ("Leaf", "int8 x\n"), ("Twice", "Leaf a\nLeaf b\n")]

@@ -78,16 +78,16 @@ theyCallUs ros = withPeer ros "caller" $ \peer -> node ros "server" $ do
 
 weCallThem :: Ros -> IO ()
 weCallThem ros = withPeer ros "server" $ \peer -> node ros "caller" $ do
-  none <- callService SetBool "/theirs" (SetBoolRequest True)
+  none <- requestService SetBool "/theirs" (SetBoolRequest True)
   liftIO $ do
     none @?= Left (NoSuchService "/theirs")
     say peer "serve /theirs"
     say peer "serve /stuck"
     _ <- hears peer "serving /stuck"
     pure ()
-  yes <- callService SetBool "theirs" (SetBoolRequest True)
-  no <- callService SetBool "theirs" (SetBoolRequest False)
-  other <- callService Trigger "theirs" TriggerRequest
+  yes <- requestService SetBool "theirs" (SetBoolRequest True)
+  no <- requestService SetBool "theirs" (SetBoolRequest False)
+  other <- requestService Trigger "theirs" TriggerRequest
   several <- withServiceConnection SetBool "theirs" (\ask -> mapM (ask . SetBoolRequest) [True, False, True])
   liftIO $ do
     yes @?= Right (SetBoolResponse True "gr\252n")
@@ -97,11 +97,11 @@ weCallThem ros = withPeer ros "server" $ \peer -> node ros "caller" $ do
       Right [Right a, b, Right c] -> mapM_ (@?= SetBoolResponse True "gr\252n") [a, c] >> failed b
       _ -> assertFailure (show several)
   -- The node of the service ends before it answers, and after it is known.
-  cut <- nodeIO $ \run -> withAsync (run (callService SetBool "/stuck" (SetBoolRequest True))) $ \waiting -> do
+  cut <- nodeIO $ \run -> withAsync (run (requestService SetBool "/stuck" (SetBoolRequest True))) $ \waiting -> do
     _ <- hears peer "asked /stuck"
     killPeer peer
     wait waiting
-  gone <- callService SetBool "/stuck" (SetBoolRequest True)
+  gone <- requestService SetBool "/stuck" (SetBoolRequest True)
   liftIO (mapM_ isLost [cut, gone])
   where
     failed answer = case answer of
@@ -124,10 +124,10 @@ instance Service MuxSelect where
 weCallRoscpp :: Ros -> IO ()
 weCallRoscpp ros = withProgram ros "/usr/lib/topic_tools/mux" ["/out", "/first", "/second", "__name:=chooser"] $ \_ -> node ros "caller" $ do
   mapM_ awaitService ["/mux/select", "/chooser/get_loggers"]
-  answers <- mapM (callService MuxSelect "/mux/select" . Ros.String) ["/second", "/first"]
+  answers <- mapM (requestService MuxSelect "/mux/select" . Ros.String) ["/second", "/first"]
   kept <- withServiceConnection MuxSelect "/mux/select" (\ask -> mapM (ask . Ros.String) ["/second", "/third", "/first"])
-  other <- callService SetBool "/mux/select" (SetBoolRequest True)
-  found <- callService GetLoggers "/chooser/get_loggers" GetLoggersRequest
+  other <- requestService SetBool "/mux/select" (SetBoolRequest True)
+  found <- requestService GetLoggers "/chooser/get_loggers" GetLoggersRequest
   liftIO $ do
     answers @?= map (Right . Ros.String) ["/first", "/second"]
     case kept of
@@ -158,7 +158,7 @@ manyCallers :: Ros -> IO ()
 manyCallers ros = node ros "server" $ do
   offerService SetBool "switch" agree
   core <- askCore
-  answers <- nodeIO $ \run -> forConcurrently [1 .. 40 :: Int] $ \n -> run (callService SetBool "/switch" (SetBoolRequest (even n)))
+  answers <- nodeIO $ \run -> forConcurrently [1 .. 40 :: Int] $ \n -> run (requestService SetBool "/switch" (SetBoolRequest (even n)))
   liftIO $ do
     answers @?= [if even n then Right (SetBoolResponse True "gr\252n") else Left (ServiceFailed "false is not for m\233") | n <- [1 .. 40 :: Int]]
     let header fields = frame (encodeFields fields)
@@ -175,17 +175,17 @@ manyCallers ros = node ros "server" $ do
     -- The request may come with the header.
     together <- says (header right <> B.pack [1, 0, 0, 0] <> encode (SetBoolRequest True))
     assertBool "answered at once" (B.cons 1 (B.pack [10, 0, 0, 0]) `B.isInfixOf` together)
-  again <- callService SetBool "/switch" (SetBoolRequest True)
+  again <- requestService SetBool "/switch" (SetBoolRequest True)
   liftIO (again @?= Right (SetBoolResponse True "gr\252n"))
   where
     untilClosed s = recv s 4096 >>= \b -> if B.null b then pure b else (b <>) <$> untilClosed s
 
 waitsAndLeaves :: Ros -> IO ()
 waitsAndLeaves ros = node ros "caller" $ do
-  answered <- nodeIO $ \run -> withAsync (run (awaitService "late" >> callService Trigger "late" TriggerRequest)) $ \waiting ->
+  answered <- nodeIO $ \run -> withAsync (run (awaitService "late" >> requestService Trigger "late" TriggerRequest)) $ \waiting ->
     node ros "late_server" $ offerService Trigger "late" (const (pure (Right (TriggerResponse True "here")))) >> liftIO (wait waiting)
   liftIO (answered @?= Right (TriggerResponse True "here"))
-  after <- callService Trigger "late" TriggerRequest
+  after <- requestService Trigger "late" TriggerRequest
   liftIO (after @?= Left (NoSuchService "/late"))
 
 loggers :: Ros -> IO ()
@@ -193,17 +193,17 @@ loggers ros = withPeer ros "listener" $ \peer -> do
   say peer "rosout"
   _ <- hears peer "listening"
   node ros "talker" $ do
-    out <- enableLogging
+    out <- enableLogging Nothing
     awaitListeners 10000000
     mapM_ awaitService ["~get_loggers", "~set_logger_level"]
     liftIO $ do
       tool ros "rosservice" ["call", "/talker/get_loggers"] ["name: \"ros\"", "level: \"debug\""]
-      logDebug out "first"
+      logTo out Debug "first"
       _ <- hearsWhere peer "first" ("first" `isInfixOf`)
       tool ros "rosservice" ["call", "/talker/set_logger_level", "ros", "warn"] []
       tool ros "rosservice" ["call", "/talker/get_loggers"] ["level: \"warn\""]
-      logInfo out "second"
-      logWarn out "third"
+      logTo out Info "second"
+      logTo out Warn "third"
       l <- hearsWhere peer "the next message" ("log /talker" `isInfixOf`)
       assertBool l ("third" `isInfixOf` l)
       tool ros "rosservice" ["call", "/talker/set_logger_level", "ros", "loud"] ["is no level"]

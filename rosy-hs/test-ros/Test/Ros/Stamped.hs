@@ -8,7 +8,7 @@ import Control.Exception (ErrorCall (..), throwIO, try)
 import Data.Bifunctor (bimap)
 import Data.List (nub, sort)
 import Ros.Header
-import Ros.Message (ROSTime (..), def)
+import Ros.Message (def)
 import Ros.Std_msgs.Header (Header (..))
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as T
@@ -28,10 +28,10 @@ instance HasHeader Sample where
   headerOf f m = (\h -> m {sampleHeader = h}) <$> f (sampleHeader m)
 
 at :: Sample -> Int
-at = (\(ROSTime s n) -> fromIntegral s * 1000000000 + fromIntegral n) . stampOf
+at = (\(s, n) -> fromIntegral s * 1000000000 + fromIntegral n) . stampOf
 
 sample :: Int -> Int -> Sample
-sample n time = Sample def {_stamp = ROSTime (fromIntegral (time `div` 1000000000)) (fromIntegral (time `mod` 1000000000))} n
+sample n time = Sample def {_stamp = (fromIntegral (time `div` 1000000000), fromIntegral (time `mod` 1000000000))} n
 
 -- | Two topics with growing stamps around a full second, and an order in which their values arrive.
 newtype Arrivals = Arrivals [Either Sample Sample]

@@ -63,6 +63,7 @@ tests = withResource acquire release $ \ready ->
            story ready "publishers may come before it and after it" earlyAndLate,
            story ready "a latched message reaches those who come later, both ways" latchedBothWays,
            story ready "2,000 messages go each way without loss, in order" twoThousand,
+           story ready "each reader of a subscription gets every message" twoReaders,
            story ready "a base that is killed and comes back is heard again" baseRestart,
            story ready "a slow subscriber loses the oldest, and delays no other" slowSubscriber,
            story ready "a node that takes its name ends it, and it ends one whose name it takes" nameClash,
@@ -192,9 +193,20 @@ twoThousand ros = withPeer ros "peer" $ \peer -> do
       say peer "flood /down 2000"
       forM_ [0 .. 1999] (publish up . Int32.Int32)
       got <- T.take 2000 down
-      map Int32._data got @?= [0 .. 1999]
+      map Int32.__data got @?= [0 .. 1999]
       say peer "heard /up 2000"
       hears peer "heard" >>= (@?= "heard /up True")
+
+-- | Both begin behind the first message, and the second begins when the first has what it wants.
+twoReaders :: Ros -> IO ()
+twoReaders ros = withPeer ros "peer" $ \peer -> do
+  say peer "pub /n std_msgs/Int32"
+  node ros "us" $ do
+    t <- subscribe "/n"
+    liftIO $ do
+      mapM_ (say peer) ["connected /n 1", "flood /n 5"]
+      (_, both) <- runTopic t
+      (,) <$> T.take 2 both <*> T.take 2 both >>= (@?= ([Int32.Int32 1, Int32.Int32 2], [Int32.Int32 1, Int32.Int32 2]))
 
 withRoscpp :: Ros -> IO ()
 withRoscpp ros = withProgram ros "/usr/lib/topic_tools/relay" ["/there", "/back"] $ \_ ->
@@ -408,9 +420,9 @@ logs :: HasCallStack => Ros -> IO ()
 logs ros = withPeer ros "peer" $ \peer -> do
   say peer "rosout"
   node ros "us" $ do
-    log' <- enableLogging
+    log' <- enableLogging Nothing
     liftIO $ do
-      logDebug log' "only for rosout"
+      logTo log' Debug "only for rosout"
       hears peer "log /us" >>= (@?= "log /us 1 logs only for rosout")
 
 otherType :: Ros -> IO ()

@@ -128,5 +128,6 @@ standardMessages =
     ("std_msgs", "UInt64", "uint64 data\n"),
     ("std_msgs", "UInt64MultiArray", "MultiArrayLayout layout\nuint64[] data\n"),
     ("std_msgs", "UInt8", "uint8 data\n"),
-    ("std_msgs", "UInt8MultiArray", "MultiArrayLayout layout\nuint8[] data\n")
+    ("std_msgs", "UInt8MultiArray", "MultiArrayLayout layout\nuint8[] data\n"),
+    ("turtlesim", "Pose", "float32 x\nfloat32 y\nfloat32 theta\nfloat32 linear_velocity\nfloat32 angular_velocity\n")
   ]

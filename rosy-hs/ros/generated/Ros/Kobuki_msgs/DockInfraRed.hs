@@ -8,7 +8,7 @@ module Ros.Kobuki_msgs.DockInfraRed
   , far_center
   , far_right
   , header
-  , data_
+  , _data
   ) where
 
 import qualified Prelude as P
@@ -18,7 +18,7 @@ import qualified Ros.Header as R
 
 data DockInfraRed = DockInfraRed
   { _header :: !Ros.Std_msgs.Header.Header
-  , _data :: !R.ByteString
+  , __data :: !(R.Vector R.Word8)
   }
   deriving (P.Eq, P.Show)
 
@@ -43,15 +43,15 @@ far_right = 32
 header :: P.Functor f => (Ros.Std_msgs.Header.Header -> f Ros.Std_msgs.Header.Header) -> DockInfraRed -> f DockInfraRed
 header f' m' = P.fmap (\x' -> m' {_header = x'}) (f' (_header m'))
 
-data_ :: P.Functor f => (R.ByteString -> f R.ByteString) -> DockInfraRed -> f DockInfraRed
-data_ f' m' = P.fmap (\x' -> m' {_data = x'}) (f' (_data m'))
+_data :: P.Functor f => (R.Vector R.Word8 -> f (R.Vector R.Word8)) -> DockInfraRed -> f DockInfraRed
+_data f' m' = P.fmap (\x' -> m' {__data = x'}) (f' (__data m'))
 
 instance R.RosBinary DockInfraRed where
-  put m' = R.put (_header m') P.<> R.putBytes R.Counted (_data m')
+  put m' = R.put (_header m') P.<> R.putBytes R.Counted (__data m')
   get = DockInfraRed P.<$> R.get P.<*> R.getBytes R.Counted
 
 instance R.Default DockInfraRed where
-  def = DockInfraRed R.def (R.defBytes R.Counted)
+  def = DockInfraRed R.def (R.defNumbers R.Counted)
 
 instance R.Message DockInfraRed where
   messageType _ = "kobuki_msgs/DockInfraRed"

@@ -63,7 +63,7 @@ data SensorState = SensorState
   , _charger :: !R.Word8
   , _battery :: !R.Word8
   , _bottom :: !(R.Vector R.Word16)
-  , _current :: !R.ByteString
+  , _current :: !(R.Vector R.Word8)
   , _over_current :: !R.Word8
   , _digital_input :: !R.Word16
   , _analog_input :: !(R.Vector R.Word16)
@@ -181,7 +181,7 @@ battery f' m' = P.fmap (\x' -> m' {_battery = x'}) (f' (_battery m'))
 bottom :: P.Functor f => (R.Vector R.Word16 -> f (R.Vector R.Word16)) -> SensorState -> f SensorState
 bottom f' m' = P.fmap (\x' -> m' {_bottom = x'}) (f' (_bottom m'))
 
-current :: P.Functor f => (R.ByteString -> f R.ByteString) -> SensorState -> f SensorState
+current :: P.Functor f => (R.Vector R.Word8 -> f (R.Vector R.Word8)) -> SensorState -> f SensorState
 current f' m' = P.fmap (\x' -> m' {_current = x'}) (f' (_current m'))
 
 over_current :: P.Functor f => (R.Word8 -> f R.Word8) -> SensorState -> f SensorState
@@ -198,7 +198,7 @@ instance R.RosBinary SensorState where
   get = SensorState P.<$> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.get P.<*> R.getNumbers R.Counted P.<*> R.getBytes R.Counted P.<*> R.get P.<*> R.get P.<*> R.getNumbers R.Counted
 
 instance R.Default SensorState where
-  def = SensorState R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def (R.defNumbers R.Counted) (R.defBytes R.Counted) R.def R.def (R.defNumbers R.Counted)
+  def = SensorState R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def R.def (R.defNumbers R.Counted) (R.defNumbers R.Counted) R.def R.def (R.defNumbers R.Counted)
 
 instance R.Message SensorState where
   messageType _ = "kobuki_msgs/SensorState"

@@ -6,7 +6,7 @@ module Ros.Roscpp.GetLoggers
   ) where
 
 import qualified Prelude as P
-import qualified Ros.Service as R
+import qualified Ros.Service.Class as R
 import qualified Ros.Roscpp.GetLoggersRequest
 import qualified Ros.Roscpp.GetLoggersResponse
 

@@ -5,6 +5,7 @@ module Ros.Roscpp.GetLoggersRequest
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data GetLoggersRequest = GetLoggersRequest
   deriving (P.Eq, P.Show)
@@ -20,3 +21,7 @@ instance R.Message GetLoggersRequest where
   messageType _ = "roscpp/GetLoggersRequest"
   messageMd5 _ = "d41d8cd98f00b204e9800998ecf8427e"
   messageDefinition _ = ""
+
+instance R.SrvInfo GetLoggersRequest where
+  srvTypeName _ = "roscpp/GetLoggers"
+  srvMD5 _ = "32e97e85527d4678a8f9279894bb64b0"

@@ -7,6 +7,7 @@ module Ros.Roscpp.GetLoggersResponse
 import qualified Prelude as P
 import qualified Ros.Message as R
 import qualified Ros.Roscpp.Logger
+import qualified Ros.Service.Class as R
 
 data GetLoggersResponse = GetLoggersResponse
   { _loggers :: ![Ros.Roscpp.Logger.Logger]
@@ -27,3 +28,7 @@ instance R.Message GetLoggersResponse where
   messageType _ = "roscpp/GetLoggersResponse"
   messageMd5 _ = "32e97e85527d4678a8f9279894bb64b0"
   messageDefinition _ = "Logger[] loggers\n\n\n================================================================================\nMSG: roscpp/Logger\nstring name\nstring level\n"
+
+instance R.SrvInfo GetLoggersResponse where
+  srvTypeName _ = "roscpp/GetLoggers"
+  srvMD5 _ = "32e97e85527d4678a8f9279894bb64b0"

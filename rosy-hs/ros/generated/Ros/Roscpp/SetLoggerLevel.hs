@@ -6,7 +6,7 @@ module Ros.Roscpp.SetLoggerLevel
   ) where
 
 import qualified Prelude as P
-import qualified Ros.Service as R
+import qualified Ros.Service.Class as R
 import qualified Ros.Roscpp.SetLoggerLevelRequest
 import qualified Ros.Roscpp.SetLoggerLevelResponse
 

@@ -7,6 +7,7 @@ module Ros.Roscpp.SetLoggerLevelRequest
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data SetLoggerLevelRequest = SetLoggerLevelRequest
   { _logger :: !P.String
@@ -31,3 +32,7 @@ instance R.Message SetLoggerLevelRequest where
   messageType _ = "roscpp/SetLoggerLevelRequest"
   messageMd5 _ = "51da076440d78ca1684d36c868df61ea"
   messageDefinition _ = "string logger\nstring level\n"
+
+instance R.SrvInfo SetLoggerLevelRequest where
+  srvTypeName _ = "roscpp/SetLoggerLevel"
+  srvMD5 _ = "51da076440d78ca1684d36c868df61ea"

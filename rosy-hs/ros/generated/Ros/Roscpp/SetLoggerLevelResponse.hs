@@ -5,6 +5,7 @@ module Ros.Roscpp.SetLoggerLevelResponse
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data SetLoggerLevelResponse = SetLoggerLevelResponse
   deriving (P.Eq, P.Show)
@@ -20,3 +21,7 @@ instance R.Message SetLoggerLevelResponse where
   messageType _ = "roscpp/SetLoggerLevelResponse"
   messageMd5 _ = "d41d8cd98f00b204e9800998ecf8427e"
   messageDefinition _ = "\n"
+
+instance R.SrvInfo SetLoggerLevelResponse where
+  srvTypeName _ = "roscpp/SetLoggerLevel"
+  srvMD5 _ = "51da076440d78ca1684d36c868df61ea"

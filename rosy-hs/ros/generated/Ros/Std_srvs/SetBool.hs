@@ -6,7 +6,7 @@ module Ros.Std_srvs.SetBool
   ) where
 
 import qualified Prelude as P
-import qualified Ros.Service as R
+import qualified Ros.Service.Class as R
 import qualified Ros.Std_srvs.SetBoolRequest
 import qualified Ros.Std_srvs.SetBoolResponse
 

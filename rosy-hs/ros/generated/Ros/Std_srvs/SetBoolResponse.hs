@@ -7,6 +7,7 @@ module Ros.Std_srvs.SetBoolResponse
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data SetBoolResponse = SetBoolResponse
   { _success :: !P.Bool
@@ -31,3 +32,7 @@ instance R.Message SetBoolResponse where
   messageType _ = "std_srvs/SetBoolResponse"
   messageMd5 _ = "937c9679a518e3a18d831e57125ea522"
   messageDefinition _ = "bool success\nstring message\n\n"
+
+instance R.SrvInfo SetBoolResponse where
+  srvTypeName _ = "std_srvs/SetBool"
+  srvMD5 _ = "09fb03525b03e7ea1fd3992bafd87e16"

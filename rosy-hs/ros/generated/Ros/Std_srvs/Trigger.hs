@@ -6,7 +6,7 @@ module Ros.Std_srvs.Trigger
   ) where
 
 import qualified Prelude as P
-import qualified Ros.Service as R
+import qualified Ros.Service.Class as R
 import qualified Ros.Std_srvs.TriggerRequest
 import qualified Ros.Std_srvs.TriggerResponse
 

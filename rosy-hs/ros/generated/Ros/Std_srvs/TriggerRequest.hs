@@ -5,6 +5,7 @@ module Ros.Std_srvs.TriggerRequest
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data TriggerRequest = TriggerRequest
   deriving (P.Eq, P.Show)
@@ -20,3 +21,7 @@ instance R.Message TriggerRequest where
   messageType _ = "std_srvs/TriggerRequest"
   messageMd5 _ = "d41d8cd98f00b204e9800998ecf8427e"
   messageDefinition _ = ""
+
+instance R.SrvInfo TriggerRequest where
+  srvTypeName _ = "std_srvs/Trigger"
+  srvMD5 _ = "937c9679a518e3a18d831e57125ea522"

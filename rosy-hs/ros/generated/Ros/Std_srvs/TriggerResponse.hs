@@ -7,6 +7,7 @@ module Ros.Std_srvs.TriggerResponse
 
 import qualified Prelude as P
 import qualified Ros.Message as R
+import qualified Ros.Service.Class as R
 
 data TriggerResponse = TriggerResponse
   { _success :: !P.Bool
@@ -31,3 +32,7 @@ instance R.Message TriggerResponse where
   messageType _ = "std_srvs/TriggerResponse"
   messageMd5 _ = "937c9679a518e3a18d831e57125ea522"
   messageDefinition _ = "bool success\nstring message\n\n"
+
+instance R.SrvInfo TriggerResponse where
+  srvTypeName _ = "std_srvs/Trigger"
+  srvMD5 _ = "937c9679a518e3a18d831e57125ea522"

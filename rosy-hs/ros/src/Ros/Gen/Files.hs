@@ -65,12 +65,12 @@ modules (Definitions library offered) (Definitions given services) wanted = case
     name `isOf` w = w == package name || w == fullName name
     service n
       | n `Map.member` known = Left (fullName n ++ " is the name of a message and of a service; their modules would have one name")
-      | otherwise = do
-        let (request, response) = halves n
-        sum5 <- explained (join (serviceMd5 known <$> look' request <*> look' response))
-        pure (n, serviceModule sum5 n)
+      | otherwise = (\sum5 -> (n, serviceModule sum5 n)) <$> sumOf n
+    sumOf n = explained (join (serviceMd5 known <$> half request <*> half response))
       where
-        look' half = maybe (Left (MissingMessage n half)) Right (Map.lookup half known)
+        (request, response) = halves n
+        half h = maybe (Left (MissingMessage n h)) Right (Map.lookup h known)
+    serviceOf = Map.fromList [(half, n) | n <- Set.toList services, let (request, response) = halves n, half <- [request, response]]
     nested done m
       | msgName m `Map.member` done = Right done
       | otherwise = do
@@ -82,7 +82,8 @@ modules (Definitions library offered) (Definitions given services) wanted = case
       case Map.lookup (msgName m) library of
         Nothing -> do
           d <- explained (fullDefinition known m)
-          pure [(msgName m, haskellModule s d m)]
+          service' <- traverse (\n -> (,) n <$> sumOf n) (Map.lookup (msgName m) serviceOf)
+          pure [(msgName m, haskellModule service' s d m)]
         Just theirs -> do
           s' <- explained (md5 (Map.union library given) theirs)
           if s == s' then pure [] else Left (fullName (msgName m) ++ " is in the library already, with other fields or constants; only one of them can be used in a program")

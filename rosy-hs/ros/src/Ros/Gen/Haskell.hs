@@ -27,8 +27,9 @@ moduleName (MsgName p b) = "Ros." ++ capital p ++ "." ++ capital b
 modulePath :: MsgName -> FilePath
 modulePath n = map (\c -> if c == '.' then '/' else c) (moduleName n) ++ ".hs"
 
-haskellModule :: String -> String -> Msg -> String
-haskellModule sum5 definition m = unlines (concat [header, record, consts, lenses, instances])
+-- | The module of a message, of its sum and full definition, and of the service, with its sum, whose half it is.
+haskellModule :: Maybe (MsgName, String) -> String -> String -> Msg -> String
+haskellModule service sum5 definition m = unlines (concat [header, record, consts, lenses, instances])
   where
     name = capital (base (msgName m))
     fs = fields m
@@ -44,6 +45,7 @@ haskellModule sum5 definition m = unlines (concat [header, record, consts, lense
         ++ ["  ) where", "", "import qualified Prelude as P", "import qualified Ros.Message as R"]
         ++ ["import qualified " ++ moduleName t | t <- nub [t | Field (Nested t) _ _ <- fs]]
         ++ ["import qualified Ros.Header as R" | stamped]
+        ++ ["import qualified Ros.Service.Class as R" | Just _ <- [service]]
         ++ [""]
 
     record
@@ -83,6 +85,7 @@ haskellModule sum5 definition m = unlines (concat [header, record, consts, lense
         ++ ["  numbered n' m' = m' {_header = R.numbered n' (_header m')}" | stamped]
         ++ ["  numbered n' m' = m' {_seq = n'}" | msgName m == MsgName "std_msgs" "Header"]
         ++ concat [["", "instance R.HasHeader " ++ name ++ " where", "  headerOf = " ++ l] | (f, l) <- namedFields, f == ownHeader]
+        ++ concat [["", "instance R.SrvInfo " ++ name ++ " where", "  srvTypeName _ = " ++ show (fullName n), "  srvMD5 _ = " ++ show sum'] | Just (n, sum') <- [service]]
 
     stamped = ownHeader `elem` fs
     ownHeader = Field (Nested (MsgName "std_msgs" "Header")) One "header"
@@ -99,7 +102,7 @@ serviceModule sum5 n =
       "  ) where",
       "",
       "import qualified Prelude as P",
-      "import qualified Ros.Service as R",
+      "import qualified Ros.Service.Class as R",
       "import qualified " ++ moduleName request,
       "import qualified " ++ moduleName response,
       "",
@@ -128,7 +131,6 @@ haskellType :: Field -> String
 haskellType (Field t One _) = elementType t
 haskellType (Field t _ _) = case t of
   Builtin b
-    | isByte b -> "R.ByteString"
     | isNumber b -> "R.Vector " ++ builtinType b
   _ -> "[" ++ elementType t ++ "]"
 
@@ -169,7 +171,7 @@ putter f = onWire f ("R.putBytes", "R.putNumbers", "R.putList", "R.put")
 getter f = onWire f ("R.getBytes", "R.getNumbers", "R.getList", "R.get")
 defaulter f = case fieldCount f of
   One -> "R.def"
-  _ -> "(" ++ onWire f ("R.defBytes", "R.defNumbers", "R.defList", "R.def") ++ ")"
+  _ -> "(" ++ onWire f ("R.defNumbers", "R.defNumbers", "R.defList", "R.def") ++ ")"
 
 onWire :: Field -> (String, String, String, String) -> String
 onWire (Field t count _) (bytes, numbers, list, one) = case count of
@@ -196,15 +198,16 @@ constValue c = case constantValue c of
     point = if '.' `elem` constantText c then ".0" else ""
     orZero ds = if null ds then "0" else ds
 
+-- | As in roshask, a word of Haskell has the underscore of its lens too: @__data@, and the lens @_data@.
 recordField :: String -> String
-recordField n = '_' : n
+recordField n = '_' : unreserved n
 
 -- | The names of the lenses and of the constants of a message: all different, also where names in the file differ in their first
 -- letter or in capitals only.
 names :: Msg -> ([(Field, String)], [(Constant, String)])
 names m = (zip (fields m) lensNames, zip (constants m) constNames)
   where
-    lensNames = different [] (map (escape . small . fieldName) (fields m))
+    lensNames = different [] (map (unreserved . small . fieldName) (fields m))
     constNames = different lensNames (map (constName lensNames . constantName) (constants m))
 
 -- | The Haskell name of each constant.
@@ -222,7 +225,8 @@ different taken (n : ns) = free : different (free : taken) ns
 constName :: [String] -> String -> String
 constName taken n = if plain `elem` taken then "k" ++ capital plain else plain
   where
-    plain = escape (if any isAsciiLower n then small n else map toLower n)
+    plain = if word `elem` reserved then word ++ "_" else word
+    word = if any isAsciiLower n then small n else map toLower n
 
 capital, small :: String -> String
 capital (c : cs) = toUpper c : cs
@@ -230,9 +234,11 @@ capital [] = []
 small (c : cs) = (if isUpper c then toLower c else c) : cs
 small [] = []
 
-escape :: String -> String
-escape n = if n `elem` reserved then n ++ "_" else n
-  where
-    reserved =
-      words
-        "case class data default deriving do else forall foreign if import in infix infixl infixr instance let module newtype of then type where"
+-- | With an underscore in front where the name is a word of Haskell.
+unreserved :: String -> String
+unreserved n = if n `elem` reserved then '_' : n else n
+
+reserved :: [String]
+reserved =
+  words
+    "case class data default deriving do else forall foreign if import in infix infixl infixr instance let module newtype of then type where"

@@ -8,6 +8,8 @@
 module Ros.Node.Run
   ( Settings (..),
     settingsFromSystem,
+    masterAddress,
+    namingOf,
     withCore,
   )
 where
@@ -50,12 +52,12 @@ settingsFromSystem = Settings . readArguments <$> getArgs <*> getEnvironment <*>
 -- | Runs the action inside a node of this name.
 withCore :: Settings -> String -> (Core -> IO a) -> IO a
 withCore settings name act = do
-  uri <- maybe (throwIO (StrangeMaster address)) pure (readUri address)
+  uri <- either throwIO pure (masterAddress settings)
   host <- hostFor settings uri
   let onlyHere = host `elem` ["127.0.0.1", "localhost"]
   withSocket onlyHere $ \calls callPort -> withSocket onlyHere $ \topics topicPort -> do
     core <-
-      Core (nodeFullName (arguments settings) (set "ROS_NAMESPACE") name) uri (Uri host callPort) host topicPort (programName settings)
+      Core (namingOf settings name) uri (Uri host callPort) host topicPort (programName settings)
         <$> newTVarIO Map.empty
         <*> newTVarIO Map.empty
         <*> newTVarIO Map.empty
@@ -77,11 +79,23 @@ withCore settings name act = do
     -- Who watches must not register again what is being taken back.
     bracket start cancel (const (act core)) `finally` finish core
   where
-    address = fromMaybe "http://localhost:11311" (firstOf [special "__master" (arguments settings), set "ROS_MASTER_URI"])
-    set key = case lookup key (environment settings) of
-      Just "" -> Nothing
-      v -> v
     withSocket onlyHere use = bracket (listenAnywhere onlyHere) (close . fst) (uncurry use)
+
+-- | Where the master is: @__master@, @ROS_MASTER_URI@, or this computer.
+masterAddress :: Settings -> Either NodeError Uri
+masterAddress settings = maybe (Left (StrangeMaster address)) Right (readUri address)
+  where
+    address = fromMaybe "http://localhost:11311" (firstOf [special "__master" (arguments settings), fromEnvironment "ROS_MASTER_URI" settings])
+
+-- | The names of a node that its program calls so.
+namingOf :: Settings -> String -> Naming
+namingOf settings = nodeFullName (arguments settings) (fromEnvironment "ROS_NAMESPACE" settings)
+
+-- | A variable that is empty counts as one that is not set.
+fromEnvironment :: String -> Settings -> Maybe String
+fromEnvironment key = nonEmpty . lookup key . environment
+  where
+    nonEmpty v = if v == Just "" then Nothing else v
 
 firstOf :: [Maybe a] -> Maybe a
 firstOf ms = listToMaybe (catMaybes ms)

@@ -52,7 +52,7 @@ import Ros.Roscpp.Logger (Logger (..))
 import Ros.Roscpp.SetLoggerLevel (SetLoggerLevel (..))
 import Ros.Roscpp.SetLoggerLevelRequest (SetLoggerLevelRequest (..))
 import Ros.Roscpp.SetLoggerLevelResponse (SetLoggerLevelResponse (..))
-import Ros.Service
+import Ros.Service.Class
 
 -- | Offers a service from now on. A handler that throws has failed for its caller alone.
 openService :: forall s. Service s => Core -> s -> String -> (Request s -> IO (Either String (Response s))) -> IO ()
@@ -158,30 +158,31 @@ frameReader limit receive = do
                 Right (fs, rest') -> writeIORef state (fs, rest') >> next
   pure next
 
--- | Connects to the service of this name while the action runs, which gets a call. Not from several threads at once.
-connectService :: forall s a. Service s => Core -> Bool -> s -> String -> ((Request s -> IO (Either ServiceError (Response s))) -> IO a) -> IO (Either ServiceError a)
-connectService core persistent s name use =
-  Master.lookupService (master core) name >>= \case
+-- | Connects to the service of this name, with the type and sum that the caller knows it by, while the action runs, which gets a call. Not
+-- from several threads at once.
+connectService :: (RosBinary request, RosBinary response) => Master.Master -> Bool -> (String, String) -> String -> ((request -> IO (Either ServiceError response)) -> IO a) -> IO (Either ServiceError a)
+connectService asker persistent (kind, sum5) name use =
+  Master.lookupService asker name >>= \case
     Left (Refused _) -> pure (Left (NoSuchService name))
     Left why -> pure (Left (MasterLost (explainRpcError why)))
     Right Nothing -> pure (Left (NoSuchService name))
     Right (Just at) ->
       connecting at $ \socket -> do
-        answered <- hello socket ([("callerid", ownName (coreNaming core)), ("service", name), ("md5sum", serviceMd5 s), ("type", serviceType s)] ++ [("persistent", "1") | persistent])
+        answered <- hello socket ([("callerid", Master.caller asker), ("service", name), ("md5sum", sum5), ("type", kind)] ++ [("persistent", "1") | persistent])
         case answered of
           Left why -> pure (Left why)
           Right theirs -> case lookup "error" theirs of
             Just why -> Left <$> reason at why
             Nothing
-              | Just m <- lookup "md5sum" theirs, m /= serviceMd5 s, m /= "*" -> pure (Left (other theirs m))
+              | Just m <- lookup "md5sum" theirs, m /= sum5, m /= "*" -> pure (Left (other theirs m))
               | otherwise -> Right <$> use (request socket)
   where
-    other theirs m = OtherService (fromMaybe "?" (lookup "type" theirs), m) (serviceType s, serviceMd5 s)
+    other theirs m = OtherService (fromMaybe "?" (lookup "type" theirs), m) (kind, sum5)
     -- A server says in its own words what is wrong; whether it is the sum, it says when it is asked for any.
     reason at why = do
-      probed <- connecting at (\socket -> hello socket [("callerid", ownName (coreNaming core)), ("service", name), ("md5sum", "*"), ("probe", "1")])
+      probed <- connecting at (\socket -> hello socket [("callerid", Master.caller asker), ("service", name), ("md5sum", "*"), ("probe", "1")])
       pure $ case probed of
-        Right theirs | Just m <- lookup "md5sum" theirs, m /= serviceMd5 s -> other theirs m
+        Right theirs | Just m <- lookup "md5sum" theirs, m /= sum5 -> other theirs m
         _ -> ServiceFailed why
     request socket asked = lost (sendAll socket (frame (put asked)) >> response socket)
     response socket =

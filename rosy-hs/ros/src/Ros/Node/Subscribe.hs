@@ -36,8 +36,10 @@ import Ros.Node.Core
 import Ros.Queue
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as Topic
+import Ros.Topic.Util (share)
 
--- | The messages that arrive from now on. So many may wait to be pulled; then the oldest goes.
+-- | The messages that arrive from now on, for any number of readers. So many may wait until the first of them pulls; then the oldest goes.
+-- What one reader has pulled waits for the others.
 openSubscription :: forall a. Message a => Core -> Int -> String -> IO (Topic IO a)
 openSubscription core bound topic = do
   queue <- newQueue bound
@@ -50,7 +52,7 @@ openSubscription core bound topic = do
         | offerMd5 (subOffer old) /= offerMd5 offer -> throwSTM (TwoTypes topic (offerType (subOffer old)) (offerType offer))
         | otherwise -> False <$ modifyTVar' (subSinks old) (push queue :)
   when isNew (registerSubscription core fresh)
-  pure (Topic.catMaybes (Topic.mapM understand (Topic.repeatM (atomically (pop queue)))))
+  share (Topic.catMaybes (Topic.mapM understand (Topic.repeatM (atomically (pop queue)))))
   where
     offer = Offer (ownName (coreNaming core)) topic (messageType kind) (messageMd5 kind) (messageDefinition kind)
     kind = Proxy :: Proxy a

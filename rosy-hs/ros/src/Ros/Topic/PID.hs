@@ -3,8 +3,9 @@
 -- Description : PID controllers: measured values in, control signals out.
 --
 -- The names are roshask's: @Uniform@ takes one unit of time between values, @Fixed@ a given time, @Timed@ the time of the system's clock, and
--- @Stamped@ times that come with the values. With a @2@ the setpoint is a topic too. The error is setpoint minus value. The first value
--- has no past, so its signal is the proportional part alone, and so is that of a value that is no newer than the one before, with the integral so far.
+-- @Stamped@ times that come with the values. With a @2@ the setpoint is a topic too. The error is setpoint minus value, unlike in roshask and
+-- in "Ros.Util.PID". The first value has no past, so its signal is the proportional part alone, and so is that of a value that is no newer
+-- than the one before, with the integral so far.
 module Ros.Topic.PID
   ( pidUniform,
     pidUniform2,

@@ -34,21 +34,21 @@ import qualified Data.IntMap.Strict as IntMap
 import Data.Sequence (Seq (..), (|>))
 import qualified Data.Sequence as Seq
 import Ros.Header (HasHeader, stampOf)
-import Ros.Message (ROSTime (..))
+import Ros.Message (ROSTime)
 import Ros.Topic (Topic (..))
 import qualified Ros.Topic as Topic
 import Ros.Topic.Feed (allOf, feed, newFeed, nextOf)
-import Ros.Topic.Util ((<+>))
+import Ros.Topic.Util (concats, (<+>))
 
 -- | Every value of either topic, with the value of the other whose stamp is nearest; of two that are equally near, the later one. A pair in which
 -- each is the other's nearest comes once.
 everyNew :: (HasHeader a, HasHeader b) => Topic IO a -> Topic IO b -> Topic IO (a, b)
-everyNew l r = Topic.concats (Topic.mapAccum stepEveryNew noneYet (l <+> r))
+everyNew l r = concats (Topic.mapAccum stepEveryNew noneYet (l <+> r))
 
 -- | Every value of the second topic, with what the first one was then: the function gets the bracket and how far between its two stamps the
 -- value is, from 0 to less than 1.
 interpolate :: (HasHeader a, HasHeader b) => (a -> a -> Double -> a) -> Topic IO a -> Topic IO b -> Topic IO (a, b)
-interpolate f l r = Topic.concats (fmap (map between) (Topic.mapAccum (stepBrackets stampOf stampOf) noBracket (l <+> r)))
+interpolate f l r = concats (fmap (map between) (Topic.mapAccum (stepBrackets stampOf stampOf) noBracket (l <+> r)))
   where
     between (x1, x2, y) = (f x1 x2 (share (stampOf x1) (stampOf x2) (stampOf y)), y)
     share start end t = fromIntegral (nanoseconds t - nanoseconds start) / fromIntegral (nanoseconds end - nanoseconds start)
@@ -140,4 +140,4 @@ nearest x1 x2 y = if at y - at x1 < at x2 - at y then x1 else x2
     at = nanoseconds . stamped
 
 nanoseconds :: ROSTime -> Integer
-nanoseconds (ROSTime s n) = fromIntegral s * 1000000000 + fromIntegral n
+nanoseconds (s, n) = fromIntegral s * 1000000000 + fromIntegral n

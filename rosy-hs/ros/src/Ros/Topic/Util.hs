@@ -1,6 +1,6 @@
 -- |
 -- Module      : Ros.Topic.Util
--- Description : Topics that run side by side, are shared, or keep a rate.
+-- Description : Topics that run side by side, are shared, keep a rate, or look at neighbours.
 --
 -- Joining two topics that speak when they please needs a thread for each. Those threads start at the
 -- first pull, wait while what they have found is not taken, end when it cannot be taken any more, and hand
@@ -31,6 +31,24 @@ module Ros.Topic.Util
 
     -- * A topic as a list
     toList,
+    fromList,
+
+    -- * Neighbours
+    consecutive,
+    slidingWindow,
+    slidingWindowG,
+    finiteDifference,
+    weightedMean,
+    weightedMean2,
+    weightedMeanNormalized,
+    simpsonsRule,
+
+    -- * Some values, or parts of them
+    subsample,
+    filterBy,
+    gate,
+    concats,
+    topicOn,
 
     -- * How two topics join, as pure steps
     BothNew,
@@ -202,9 +220,90 @@ interruptible lists = Topic $ do
 toList :: Topic IO a -> IO [a]
 toList t = unsafeInterleaveIO (runTopic t >>= \(x, rest) -> (x :) <$> toList rest)
 
+-- | The list, then its last value for ever: a topic has no end. The list must not be empty.
+fromList :: Applicative m => [a] -> Topic m a
+fromList xs = case xs of
+  [] -> errorWithoutStackTrace "Ros.Topic.Util.fromList: the list is empty, and a topic has no end"
+  [x] -> pure x
+  x : rest -> Topic (pure (x, fromList rest))
+
 -- | The newest value of the topic at every value of the other.
 newestOn :: Topic IO a -> Topic IO b -> Topic IO (a, b)
 newestOn t ticks = Topic.catMaybes (Topic.mapAccum step Nothing (t <+> ticks))
   where
     step _ (Left x) = (Nothing, Just x)
     step x (Right y) = (fmap (,y) x, x)
+
+-- | > concats t = concat t
+concats :: (Monad m, Foldable t) => Topic m (t a) -> Topic m a
+concats t = Topic $ do
+  (xs, rest) <- runTopic t
+  runTopic (foldr Topic.cons (concats rest) xs)
+
+-- | Each value with the one after it.
+consecutive :: Monad m => Topic m a -> Topic m (a, a)
+consecutive t = Topic (runTopic t >>= \(x, rest) -> runTopic (go x rest))
+  where
+    go x rest = Topic (runTopic rest >>= \(y, more) -> pure ((x, y), go y more))
+
+-- | The newest @n@ values as one, the oldest first; starts when there are so many.
+--
+-- > slidingWindow 2 (fmap pure t) = the lists of two neighbours
+slidingWindow :: (Monad m, Monoid a) => Int -> Topic m a -> Topic m a
+slidingWindow n = fmap mconcat . windows n
+
+-- | The sum of the newest @n@ values.
+slidingWindowG :: (Monad m, Num a) => Int -> Topic m a -> Topic m a
+slidingWindowG n = fmap sum . windows n
+
+windows :: Monad m => Int -> Topic m a -> Topic m [a]
+windows n t = Topic (Topic.splitAt (n - 1) t >>= \(xs, rest) -> runTopic (go xs rest))
+  where
+    go xs rest = Topic (runTopic rest >>= \(x, more) -> let w = xs ++ [x] in pure (w, go (drop 1 w) more))
+
+-- | Leaves out @n@ values before each that it gives.
+subsample :: Monad m => Int -> Topic m a -> Topic m a
+subsample n t = Topic (runTopic (Topic.drop n t) >>= \(x, rest) -> pure (x, subsample n rest))
+
+-- | > finiteDifference f t = zipWith f t (tail t)
+finiteDifference :: Monad m => (a -> a -> b) -> Topic m a -> Topic m b
+finiteDifference f = fmap (uncurry f) . consecutive
+
+-- | @weightedMean w plus scale@: a running mean, in which what came before weighs @w@ and each new value @1 - w@. It
+-- begins with the mean of the first two. For values that are not numbers, hence the two functions.
+weightedMean :: (Monad m, Num n) => n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+weightedMean w = weightedMean2 w (1 - w)
+
+-- | As 'weightedMean', with both weights.
+weightedMean2 :: Monad m => n -> n -> (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+weightedMean2 old new plus scale = weightedMeanNormalized old new plus scale id
+
+-- | And with a function for the sum, so that whole numbers can be weighed: @weightedMeanNormalized 7 1 (+) (*) (`div` 8)@.
+weightedMeanNormalized :: Monad m => n -> n -> (b -> b -> c) -> (n -> a -> b) -> (c -> a) -> Topic m a -> Topic m a
+weightedMeanNormalized old new plus scale normalize t = Topic (runTopic t >>= \(x, more) -> runTopic (Topic.scan step x more))
+  where
+    step mean x = normalize (plus (scale old mean) (scale new x))
+
+-- | Integrates over every three neighbours, which are one unit of time apart: a third of the outer ones and four of the middle one.
+-- The functions add and scale values that need not be numbers.
+simpsonsRule :: (Monad m, Fractional n) => (a -> a -> a) -> (n -> a -> a) -> Topic m a -> Topic m a
+simpsonsRule plus scale t = fmap area (consecutive (consecutive t))
+  where
+    area ((a, b), (_, c)) = scale (1 / 3) (plus (plus a (scale 4 b)) c)
+
+-- | The first value that satisfies the first predicate, the first one after it that satisfies the second, and so on.
+filterBy :: Monad m => Topic m (a -> Bool) -> Topic m a -> Topic m a
+filterBy predicates t = Topic $ do
+  (p, more) <- runTopic predicates
+  (x, rest) <- runTopic (Topic.dropWhile (not . p) t)
+  pure (x, filterBy more rest)
+
+-- | A value of the left for every value of the right.
+gate :: Applicative m => Topic m a -> Topic m b -> Topic m a
+gate t ticks = const <$> t <*> ticks
+
+-- | Changes a part of each value: how to take it out, how to put the new one back, and what makes the function that changes it.
+topicOn :: Monad m => (a -> b) -> (a -> c -> d) -> m (b -> m c) -> Topic m a -> Topic m d
+topicOn part back changing t = Topic $ do
+  change <- changing
+  runTopic (Topic.mapM (\x -> back x <$> change (part x)) t)

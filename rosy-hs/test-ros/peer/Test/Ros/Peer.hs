@@ -128,7 +128,7 @@ say p = hPutStrLn (peerIn p)
 hears :: Peer -> String -> IO String
 hears p start = hearsWhere p ("a line with " ++ show start) (\l -> take (length start) l == start)
 
--- | Waits for such a line.
+-- | Waits for such a line. When none comes, the failure has the newest lines: a robot that streams says thousands.
 hearsWhere :: Peer -> String -> (String -> Bool) -> IO String
 hearsWhere p what wanted = do
   found <- timeout 120000000 . atomically $ do
@@ -136,7 +136,7 @@ hearsWhere p what wanted = do
     case dropWhile (not . wanted) ls of
       [] -> retry
       l : rest -> writeTVar (peerLines p) rest >> pure l
-  maybe (readTVarIO (peerLines p) >>= \ls -> assertFailure ("waited for " ++ what ++ "; heard only " ++ show ls)) pure found
+  maybe (readTVarIO (peerLines p) >>= \ls -> assertFailure ("waited for " ++ what ++ "; heard only " ++ show (drop (length ls - 50) ls))) pure found
 
 -- | All that it has ever said.
 transcript :: Peer -> IO [String]
