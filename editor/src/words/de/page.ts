@@ -444,6 +444,11 @@ export const page: Omit<
       message: "Dieser Browser hat keinen Platz, um dein Programm zu behalten.",
       hint: "Lösche Programme unter „Meine Programme“, oder speichere dieses als Datei, mit dem Menü oben in der Ecke.",
     },
+    madeWay: {
+      message: names =>
+        `Dieser Browser ist voll. Deshalb hat Rosy diese gelöschten Programme endgültig entfernt: ${names}.`,
+      hint: "Lösche Programme, die du nicht mehr brauchst, und speichere als Datei, was du behalten willst.",
+    },
     robotGone: {
       message: name => `Du hast ${name} nicht mehr.`,
       hint: "Nimm ihn wieder, wenn du ihn brauchst.",

@@ -447,6 +447,11 @@ export const page = {
       message: "This browser has no room to keep your program.",
       hint: "Delete programs in My programs, or save this one as a file with the menu at the top right.",
     },
+    madeWay: {
+      message: (names: string) =>
+        `This browser is full, so Rosy removed these deleted programs for good: ${names}.`,
+      hint: "Delete programs that you no longer need, and save as files what you want to keep.",
+    },
     robotGone: {
       message: (name: string) => `You no longer have ${name}.`,
       hint: "Take it again when you need it.",

@@ -454,6 +454,11 @@ export const page: Omit<
       message: "Este navegador no tiene espacio para guardar tu programa.",
       hint: "Elimina programas en Mis programas, o guarda este como archivo con el menú de arriba a la derecha.",
     },
+    madeWay: {
+      message: names =>
+        `Este navegador está lleno, así que Rosy ha quitado para siempre estos programas eliminados: ${names}.`,
+      hint: "Elimina los programas que ya no necesites y guarda como archivos lo que quieras conservar.",
+    },
     robotGone: {
       message: name => `Ya no tienes ${name}.`,
       hint: "Tómalo otra vez cuando lo necesites.",

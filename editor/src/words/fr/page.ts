@@ -455,6 +455,11 @@ export const page: Omit<
       message: "Ce navigateur n'a plus de place pour garder ton programme.",
       hint: "Supprime des programmes dans « Mes programmes », ou enregistre celui-ci dans un fichier avec le menu en haut à droite.",
     },
+    madeWay: {
+      message: names =>
+        `Ce navigateur est plein : Rosy a retiré pour de bon ces programmes supprimés : ${names}.`,
+      hint: "Supprime les programmes dont tu n'as plus besoin, et enregistre dans des fichiers ce que tu veux garder.",
+    },
     robotGone: {
       message: name => `Tu n'as plus ${name}.`,
       hint: "Reprends-le quand tu en as besoin.",

@@ -446,6 +446,11 @@ export const page: Omit<
       message: "Este navegador não tem espaço para guardar o seu programa.",
       hint: "Apague programas em Meus programas, ou salve este como arquivo pelo menu no alto à direita.",
     },
+    madeWay: {
+      message: names =>
+        `Este navegador está cheio, por isso o Rosy removeu de vez estes programas apagados: ${names}.`,
+      hint: "Apague os programas de que você não precisa mais e salve como arquivos o que quiser guardar.",
+    },
     robotGone: {
       message: name => `Você não está mais com ${name}.`,
       hint: "Pegue-o de novo quando precisar dele.",
