@@ -288,6 +288,7 @@ export const page: Omit<
     domain: domain => `ROS-2-Domain ${domain}`,
     charge: percent => `Akku ${percent} %`,
     volts: volts => `Akku ${short(volts, 1)} V`,
+    several: "mehrere Roboter auf denselben Topics: Gib jedem einen Namensraum (namespace)",
     discovers: "Ein Roboter auf ROS 2, der in diesem Netz eingeschaltet wird, erscheint hier von selbst.",
     yours: "du hast ihn",
     who: "Dein Name, damit die anderen ihn sehen",

@@ -288,6 +288,7 @@ export const page = {
     domain: (domain: number) => `ROS 2 domain ${domain}`,
     charge: (percent: number) => `battery ${percent}%`,
     volts: (volts: number) => `battery ${short(volts, 1)} V`,
+    several: "several robots on the same topics: give each a namespace",
     discovers: "A robot on ROS 2 that is switched on in this network appears here by itself.",
     yours: "you have it",
     who: "Your name, for the others to see",

@@ -298,6 +298,7 @@ export const page: Omit<
     domain: domain => `dominio ${domain} de ROS 2`,
     charge: percent => `batería ${percent} %`,
     volts: volts => `batería ${short(volts, 1)} V`,
+    several: "varios robots en los mismos topics: da a cada uno un espacio de nombres (namespace)",
     discovers: "Un robot en ROS 2 que se enciende en esta red aparece aquí por sí solo.",
     yours: "lo tienes tú",
     who: "Tu nombre, para que lo vean los demás",

@@ -298,6 +298,7 @@ export const page: Omit<
     domain: domain => `domaine ROS 2 ${domain}`,
     charge: percent => `batterie ${percent} %`,
     volts: volts => `batterie ${short(volts, 1)} V`,
+    several: "plusieurs robots sur les mêmes topics : donne à chacun un espace de noms (namespace)",
     discovers: "Un robot sur ROS 2 que l'on allume dans ce réseau apparaît ici tout seul.",
     yours: "c'est toi qui l'as",
     who: "Ton nom, pour que les autres le voient",

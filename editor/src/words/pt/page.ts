@@ -290,6 +290,7 @@ export const page: Omit<
     domain: domain => `domínio ${domain} do ROS 2`,
     charge: percent => `bateria ${percent}%`,
     volts: volts => `bateria ${short(volts, 1)} V`,
+    several: "vários robôs nos mesmos tópicos: dê a cada um um namespace",
     discovers: "Um robô no ROS 2 que é ligado nesta rede aparece aqui sozinho.",
     yours: "você está com ele",
     who: "O seu nome, para os outros verem",
