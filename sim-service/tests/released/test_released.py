@@ -2,7 +2,8 @@
 What each released version has stored is read by this one, and what a newer one stores is refused and stays as it is.
 
 A folder named like a version has ``class.sql`` (a dump of the database of a class), ``recording.mcap`` and
-``program.rosy``, made by that version. They are never changed. All versions tell the same story.
+``program.rosy``, and for ``editor/test/browser/released.test.ts`` ``lesson.json`` and ``browser-storage.json``, as that
+version writes them. They are never changed. All versions tell the same story.
 """
 
 from __future__ import annotations
