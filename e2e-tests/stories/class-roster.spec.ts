@@ -85,6 +85,7 @@ test("a list becomes thirty pupils, entries change, and one screen shows who nee
   const removed = ada.page.getByRole("dialog", {name: "Join your class"})
   await expect(removed.getByRole("alert")).toContainText("Your teacher has taken you out of the class")
   await teacher.getByText("Removed", {exact: true}).click()
+  await expect(teacher.getByTestId("roster")).toContainText(/Ada kept until .*\d.*, then deleted/)
   await teacher.getByRole("button", {name: "Bring Ada back"}).click()
   await expect(card("Ada")).toBeVisible()
   await ada.page.context().close()

@@ -77,13 +77,16 @@ test("by mouse: sensors are dragged onto an actuator, and what does not fit says
   await expect(learner.definition("backOff")).toBeVisible()
   await learner.keeps("diagram-built-function")
 
-  // A command gives nothing.
+  // A command gives nothing, and what is said of that moves nothing.
+  const sensors = diagram(page).getByRole("button", {name: "Sensors"})
+  const before = await boxAtRest(sensors)
   await drags(page, node(page, /^Velocity: command/), node(page, /^backOff: function/))
   await expect(diagram(page)).toContainText("An actuator takes values and gives none.")
   await page.mouse.up()
   await expect(diagram(page).getByRole("alert")).toContainText("Start at a sensor or a function.")
+  expect(await boxAtRest(sensors)).toEqual(before)
 
-  await diagram(page).getByRole("button", {name: "Sensors"}).click()
+  await sensors.click()
   await drags(page, end("tick"), node(page, /^Velocity: command/))
   await page.mouse.up()
   await asked.fill("go")

@@ -49,8 +49,9 @@ export async function watchHarm(context: BrowserContext): Promise<readonly strin
     }).observe(document, {subtree: true, childList: true, attributeFilter: ["data-harm", ...addresses]})
   })
   context.on("request", request => {
-    if (/harm\.png|harm\.example/.test(decodeURIComponent(new URL(request.url()).pathname)))
-      harm.push(`asks for ${request.url()}`)
+    // An example's name in an address of the service may be such a text.
+    const {hostname, pathname} = new URL(request.url())
+    if (hostname === "harm.example" || pathname.endsWith("/harm.png")) harm.push(`asks for ${request.url()}`)
   })
   context.on("dialog", dialog => {
     harm.push(`opens a dialog: ${dialog.message()}`)

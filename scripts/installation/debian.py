@@ -15,13 +15,15 @@ import sys
 import time
 from collections.abc import Iterable
 from pathlib import Path
+from shlex import quote
 
 from rosy_sim.sentences.sentence import tr
+from rosy_sim.sentences.wording import ENGLISH, wording
 from rosy_sim.version import VERSION
 
 from .installed_tree import TreeError, copy_tree, haskell_build, is_elf, source_date, this_system
 
-__all__ = ["make_deb"]
+__all__ = ["after_removal", "make_deb"]
 
 _TEMPLATE = """\
 Package: rosy
@@ -72,11 +74,24 @@ if [ -d /run/systemd/system ]; then
 fi
 """
 
+# DPKG_ROOT is the root folder in front of all paths, empty as a rule (dpkg(1)). With DynamicUser=, /var/lib/rosy is a link to
+# /var/lib/private/rosy (systemd.exec(5)).
 _AFTER_REMOVAL = """\
 #!/bin/sh
 set -e
-if [ -d /run/systemd/system ]; then systemctl daemon-reload || true; fi
-if [ "$1" = purge ]; then rm -rf /var/lib/rosy /var/lib/private/rosy; fi
+if [ -z "${DPKG_ROOT:-}" ] && [ -d /run/systemd/system ]; then systemctl daemon-reload || true; fi
+if [ "$1" = purge ]; then
+  case "${LC_ALL:-${LC_MESSAGES:-${LANG:-}}}" in
+    SENTENCES
+  esac
+  link="${DPKG_ROOT:-}/var/lib/rosy"
+  folder="${DPKG_ROOT:-}/var/lib/private/rosy"
+  if [ -e "$link" ] || [ -L "$link" ] || [ -e "$folder" ]; then
+    printf '%s\\n' "$deleted"
+    rm -rf "$link" "$folder"
+  fi
+  printf '%s\\n' "$kept"
+fi
 """
 
 
@@ -102,7 +117,7 @@ def make_deb(root: Path, work: Path, output: Path, compression: str = "-Zxz", le
     _write(tree / "usr/share/doc/rosy/copyright", (root / "LICENSE").read_text())
     _write(tree / "DEBIAN/prerm", _BEFORE_REMOVAL, mode=0o755)
     _write(tree / "DEBIAN/postinst", _AFTER_INSTALLATION, mode=0o755)
-    _write(tree / "DEBIAN/postrm", _AFTER_REMOVAL, mode=0o755)
+    _write(tree / "DEBIAN/postrm", after_removal(root), mode=0o755)
     architecture = _output("dpkg", "--print-architecture").strip()
     version = _version(root)
     size = sum(file.stat().st_size for file in tree.rglob("*") if file.is_file() and not file.is_symlink()) // 1024
@@ -114,6 +129,19 @@ def make_deb(root: Path, work: Path, output: Path, compression: str = "-Zxz", le
     package = output / f"rosy_{version}_{architecture}.deb"
     _output("dpkg-deb", "--root-owner-group", compression, level, "--build", str(tree), str(package))
     return package
+
+
+def after_removal(root: Path) -> str:
+    """
+    The script that dpkg runs after a removal, with what it says in each language of the tables in ``root``: these tables
+    are gone when it runs.
+    """
+    deleted = tr("Rosy deletes /var/lib/rosy: the classes and recordings of the service that this system started, with the programs in them.")
+    kept = tr("What people have made themselves stays: programs where they saved them, classes and recordings in ~/.local/share/rosy.")
+    tables = sorted(file.stem for file in (root / "protocol/sentences").glob("*.json"))
+    cases = [(f"{language}*", wording(language)) for language in tables]
+    lines = [f"{pattern}) deleted={quote(one.put(deleted))} kept={quote(one.put(kept))} ;;" for pattern, one in [*cases, ("*", ENGLISH)]]
+    return _AFTER_REMOVAL.replace("SENTENCES", "\n    ".join(lines))
 
 
 def _write(file: Path, text: str, mode: int = 0o644) -> None:

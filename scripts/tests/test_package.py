@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from installation.debian import make_deb
+from installation.debian import after_removal, make_deb
 from installation.installed_tree import System, TreeError, is_elf, this_system
 from installation.portable_folder import copy_packages, make_folder
 from package import main as package_command
@@ -83,6 +83,44 @@ def test_the_package_says_what_it_needs(package: Path) -> None:
 )
 def test_a_system_is_named_for_readers_and_for_files(release: str, machine: str, expected: System) -> None:
     assert this_system(release, machine) == expected
+
+
+def removed(how: str, machine: Path, language: str = "C.UTF-8") -> str:
+    """What the package's script says on a machine, whose root folder that is, after it was removed."""
+    script = machine.parent / "postrm"
+    script.write_text(after_removal(ROOT))
+    environment = {"PATH": "/usr/bin:/bin", "DPKG_ROOT": str(machine), "LANG": language}
+    return subprocess.run(["sh", str(script), how], env=environment, capture_output=True, text=True, check=True).stdout
+
+
+def test_purging_says_what_it_deletes_and_what_stays(tmp_path: Path) -> None:
+    machine = tmp_path / "machine"
+    of_service = machine / "var/lib/private/rosy/.local/share/rosy/classes/7b"
+    of_people = machine / "home/ada/.local/share/rosy/classes/club"
+    others = machine / "var/lib/private/other"
+    for folder in (of_service, of_people, others):
+        folder.mkdir(parents=True)
+    (machine / "var/lib/rosy").symlink_to("private/rosy")
+    # Without a purge everything stays.
+    assert removed("remove", machine) == ""
+    assert of_service.is_dir()
+    deleted, kept = removed("purge", machine).splitlines()
+    assert deleted.startswith("Rosy deletes /var/lib/rosy: the classes and recordings of the service")
+    assert "~/.local/share/rosy" in kept
+    assert sorted(path.name for path in (machine / "var/lib").rglob("*")) == ["other", "private"]
+    assert of_people.is_dir()
+    # It says nothing of a folder that is not there.
+    assert removed("purge", machine).splitlines() == [kept]
+
+
+@pytest.mark.parametrize("language", sorted(path.stem for path in (ROOT / "protocol/sentences").glob("*.json")))
+def test_purging_speaks_the_language_of_the_machine(language: str, tmp_path: Path) -> None:
+    machine = tmp_path / "machine"
+    (machine / "var/lib/rosy").mkdir(parents=True)
+    said = removed("purge", machine, f"{language}_XX.UTF-8").splitlines()
+    assert len(said) == 2
+    assert not set(said) & set(removed("purge", tmp_path / "none").splitlines())
+    assert "/var/lib/rosy" in said[0]
 
 
 def test_the_file_names_the_system_that_it_is_for(package: Path) -> None:

@@ -17,7 +17,16 @@ import msgspec
 from .errors import BadInput
 from .sentences.sentence import Sentence, tr
 
-__all__ = ["InOlderEncoding", "OlderText", "decode_text", "older_encoding", "parse_json", "read_json", "read_text"]
+__all__ = [
+    "InOlderEncoding",
+    "OlderText",
+    "decode_text",
+    "older_encoding",
+    "parse_json",
+    "read_json",
+    "read_text",
+    "refuse_newer",
+]
 
 _MAX_FILE = 20_000_000
 """Largest file read, bytes."""
@@ -153,3 +162,27 @@ def parse_json(text: str, path: Path, kind: Sentence) -> object:
             tr("{path} is not a {kind}: the file is damaged or cut short ({why}).", path=path, kind=kind, why=error)
         ) from error
     return value
+
+
+def refuse_newer(path: Path, version: int, newest: int) -> None:
+    """
+    Refuse a file whose format has a version that this Rosy does not know.
+
+    Args:
+        path: the file, for the sentence.
+        version: of its format.
+        newest: the newest version that this Rosy reads.
+
+    Raises:
+        BadInput: the version is newer; says both.
+    """
+    if version > newest:
+        raise BadInput(
+            tr(
+                "{path} was saved by a newer Rosy: its version is {version}, and this Rosy reads up to {newest}. "
+                "Update Rosy to open it.",
+                path=path,
+                version=version,
+                newest=newest,
+            )
+        )

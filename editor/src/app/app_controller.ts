@@ -48,7 +48,9 @@ export function openController(): AppController {
   const classCode = takeClassCode(window)
   const runsAtOnce = takeRunInAddress()
   const storage = isEmbedded() ? storageInMemory() : openBrowserStorage(window)
-  const programStore = openProgramStore(storage.shared, storage.tab)
+  const programStore = openProgramStore(storage.shared, storage.tab, gone =>
+    store.dispatch({kind: "notice", notice: {kind: "made-way", gone}}),
+  )
   const completions = openCompletions(message => parts.service?.send(message))
   const store = openStore(parts, programStore, storedLessons(storage))
   const editor = openDocumentEditor(store, parts)

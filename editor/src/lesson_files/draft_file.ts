@@ -26,11 +26,9 @@ import {
 } from "./draft.ts"
 import {argument} from "./draft_storage.ts"
 import {lessonTexts, record} from "./lesson.ts"
-import {type CheckKind, checkKinds, type ReadLesson, readLessonFile, version} from "./lesson_file.ts"
+import {type CheckKind, checkKinds, type RefusedLesson, readLessonFile, version} from "./lesson_file.ts"
 
-export type ReadDraft =
-  | {readonly kind: "draft"; readonly draft: LessonDraft}
-  | Extract<ReadLesson, {readonly kind: "damaged"}>
+export type ReadDraft = {readonly kind: "draft"; readonly draft: LessonDraft} | RefusedLesson
 
 /// The languages that something is written in.
 export function languagesOf(draft: LessonDraft): readonly string[] {
@@ -130,7 +128,7 @@ function hintsIn(check: DraftCheck, language: string): readonly string[] {
 /// The draft of a lesson file; its texts are edited in `language`, or else in English or the first that there is.
 export function readDraft(text: string, language: string): ReadDraft {
   const read = readLessonFile(text, language)
-  if (read.kind === "damaged") return read
+  if (read.kind !== "lesson") return read
   try {
     return {kind: "draft", draft: draftDecoder(language)(parseJson(withoutMark(text)), "")}
   } catch (fault) {

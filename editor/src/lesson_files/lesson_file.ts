@@ -3,15 +3,20 @@
 /// Its name is kept apart from the names of the service's lessons, so that the progress of the two does not mix.
 
 import {withoutMark} from "@rosy/codegen/text-file"
-import {type Decoder, list, Mismatch, number, object, oneOf, parseJson} from "../wire/decode.ts"
+import {list, Mismatch, number, object, oneOf, parseJson} from "../wire/decode.ts"
 import {type Lesson, lessonDecoder} from "./lesson.ts"
 
 export type ReadLesson =
   | {readonly kind: "lesson"; readonly lesson: Lesson}
   /// `at` is the place of the first mistake: `steps[1].seconds`.
   | {readonly kind: "damaged"; readonly at: string}
+  /// Of a newer Rosy, whose format may have other fields.
+  | {readonly kind: "newer"; readonly version: number}
 
-/// Of the format.
+/// Why a text cannot be opened as a lesson.
+export type RefusedLesson = Exclude<ReadLesson, {readonly kind: "lesson"}>
+
+/// Of the format: the version that this page writes, and the newest that it reads (`lesson_file.py`).
 export const version = 1
 
 /// The kinds of checks (`protocol/lesson.schema.json`). The service examines what else a check holds.
@@ -56,6 +61,8 @@ export function isLessonFile(text: string): boolean {
 export function readLessonFile(text: string, language: string): ReadLesson {
   try {
     const value = parsed(text)
+    const written = versionOf(value)
+    if (written !== null && written > version) return {kind: "newer", version: written}
     const lesson = lessonDecoder(language)(value, "")
     header(value, "")
     examine(lesson)
@@ -71,13 +78,13 @@ export function readLessonFile(text: string, language: string): ReadLesson {
 
 const parsed = (text: string) => parseJson(withoutMark(text))
 
-const knownVersion: Decoder<number> = (value, path) => {
-  if (number(value, path) > version) throw new Mismatch(path, `at most ${version}`)
-  return version
-}
+const versionOf = (value: unknown): number | null =>
+  typeof value === "object" && value !== null && "lesson" in value && typeof value.lesson === "number"
+    ? value.lesson
+    : null
 
 const header = object(get => ({
-  lesson: get("lesson", knownVersion),
+  lesson: get("lesson", number),
   steps: get(
     "steps",
     list(

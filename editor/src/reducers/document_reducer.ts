@@ -6,7 +6,7 @@ import {type ChangeDesc, changesBetween} from "../program/text_changes.ts"
 import {withoutLesson} from "../state/lesson_state.ts"
 import {reduceWhy} from "../state/messages/why_state.ts"
 import type {DocumentEvent, Opened} from "../state/page_events.ts"
-import type {PageState} from "../state/page_state.ts"
+import type {Notice, PageState} from "../state/page_state.ts"
 import {clearRoom} from "../state/runs/room_state.ts"
 import {isActive, nextRun} from "../state/runs/run_state.ts"
 import {noRuns} from "../state/runs/run_tree.ts"
@@ -44,7 +44,7 @@ export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Tra
       return still({
         ...state,
         saved: event.ok ? "saved" : "failed",
-        notice: event.ok ? state.notice : {kind: "not-saved"},
+        notice: event.ok ? state.notice : {kind: "not-saved", gone: goneOf(state.notice)},
       })
     case "number-drag":
       return still({
@@ -57,6 +57,10 @@ export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Tra
       return unreachable(event)
   }
 }
+
+/// The programs that the notice in sight says are gone: a notice in its place says it as well.
+const goneOf = (notice: Notice | null): readonly string[] =>
+  notice?.kind === "made-way" || notice?.kind === "not-saved" ? notice.gone : []
 
 /// Opens another program. Its run, room and messages start anew.
 function openProgram(state: PageState, opened: Opened): Transition {

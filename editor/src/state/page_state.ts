@@ -92,10 +92,14 @@ export type Notice =
   | {readonly kind: "lesson-missing"; readonly name: string}
   /// `at` is the place of the mistake in the lesson's file.
   | {readonly kind: "damaged-lesson"; readonly name: string; readonly at: string}
+  /// The version of the file's format, and the newest that this page reads.
+  | {readonly kind: "newer-lesson"; readonly name: string; readonly version: number; readonly newest: number}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
   | {readonly kind: "no-film"}
   | {readonly kind: "no-reader"}
-  | {readonly kind: "not-saved"}
+  /// `gone` are names of deleted programs that were removed for good to make room.
+  | {readonly kind: "not-saved"; readonly gone: readonly string[]}
+  | {readonly kind: "made-way"; readonly gone: readonly string[]}
   | {readonly kind: "progress-not-saved"}
   /// So many definitions were left as they are when the text was laid out.
   | {readonly kind: "not-formatted"; readonly left: number}

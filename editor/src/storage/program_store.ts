@@ -71,8 +71,13 @@ export interface ProgramStore {
   setPreferences(liking: Preferences): void
 }
 
-/// `storage` is what all tabs share, `tab` what only this one remembers, over a reload.
-export function openProgramStore(storage: Storage, tab: Storage): ProgramStore {
+/// `storage` is what all tabs share, `tab` what only this one remembers, over a reload. `madeWay` gets the names of the deleted
+/// programs that were removed for good because the storage is full.
+export function openProgramStore(
+  storage: Storage,
+  tab: Storage,
+  madeWay: (names: readonly string[]) => void = () => {},
+): ProgramStore {
   const read = (key: string, from = storage): string | null => {
     try {
       return from.getItem(key)
@@ -92,12 +97,14 @@ export function openProgramStore(storage: Storage, tab: Storage): ProgramStore {
     kept()
       .filter(program => program.deletedAt !== null && !isHidden(program.id))
       .sort((a, b) => (b.deletedAt ?? 0) - (a.deletedAt ?? 0))
-  /// Writes the list, without the deleted programs that are too many.
-  const setKept = (programs: readonly StoredProgram[], most = mostDeleted): boolean => {
-    const outdated = programs
+  const outdatedOf = (programs: readonly StoredProgram[], most: number): readonly StoredProgram[] =>
+    programs
       .filter(program => program.deletedAt !== null)
       .sort((a, b) => (b.deletedAt ?? 0) - (a.deletedAt ?? 0))
       .slice(most)
+  /// Writes the list, without the deleted programs that are too many.
+  const setKept = (programs: readonly StoredProgram[], most = mostDeleted): boolean => {
+    const outdated = outdatedOf(programs, most)
     for (const {id} of outdated) {
       storage.removeItem(programKey(id))
       storage.removeItem(pictureKey(id))
@@ -105,11 +112,17 @@ export function openProgramStore(storage: Storage, tab: Storage): ProgramStore {
     }
     return write(indexKey, JSON.stringify(programs.filter(program => !outdated.includes(program))))
   }
+  /// Writes the list with `most` deleted programs, because the storage is full; says which ones are gone.
+  const makeRoom = (programs: readonly StoredProgram[], most: number): void => {
+    const gone = outdatedOf(programs, most).filter(({id}) => !isHidden(id))
+    setKept(programs, most)
+    if (gone.length > 0) madeWay(gone.map(({name}) => name))
+  }
   /// Writes what must not be lost: when the storage is full, deleted programs make way.
   const writeProgram = (id: string, text: string, programs: readonly StoredProgram[]): boolean => {
     const put = (list: readonly StoredProgram[]) => write(programKey(id), text) && setKept(list)
     if (put(programs)) return true
-    setKept(kept(), 0)
+    makeRoom(kept(), 0)
     if (put(programs.filter(program => program.deletedAt === null))) return true
     // A text that the list does not name would only take up space.
     if (kept().every(program => program.id !== id)) storage.removeItem(programKey(id))
@@ -151,7 +164,7 @@ export function openProgramStore(storage: Storage, tab: Storage): ProgramStore {
       if (setKept(programs)) return
       // The list is longer by the time: programs that were deleted before make way, and a picture that can be drawn again.
       storage.removeItem(pictureKey(id))
-      setKept(programs, 1)
+      makeRoom(programs, 1)
     },
     restore(id) {
       setKept(change(id, {deletedAt: null}))

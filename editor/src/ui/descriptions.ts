@@ -17,6 +17,7 @@ export function runStatus(state: PageState): string {
   return run.kind === "ended" ? ended[run.how] : doing[run.kind]
 }
 
+const joined = (names: readonly string[]) => names.join(", ")
 const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
 
 /// What the page itself has to say: first what, then what to do.
@@ -66,6 +67,11 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return {message: words.lessons.missing(notice.name), hint: w.exampleMissing.hint}
     case "damaged-lesson":
       return {message: words.lessons.damaged(notice.name, notice.at), hint: words.lessons.damagedHint}
+    case "newer-lesson":
+      return {
+        message: words.lessons.newer(notice.name),
+        hint: words.lessons.newerHint(notice.version, notice.newest),
+      }
     case "example-missing":
       return {message: w.exampleMissing.message(notice.name), hint: w.exampleMissing.hint}
     case "refusal":
@@ -77,11 +83,15 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
     case "not-formatted":
       return {message: w.notFormatted.message(notice.left), hint: w.notFormatted.hint}
     case "other-meaning":
-      return {message: w.otherMeaning.message(notice.names.join(", ")), hint: w.otherMeaning.hint}
+      return {message: w.otherMeaning.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "unfinished-text":
-      return {message: w.unfinishedText.message(notice.names.join(", ")), hint: w.unfinishedText.hint}
+      return {message: w.unfinishedText.message(joined(notice.names)), hint: w.unfinishedText.hint}
     case "not-saved":
-      return w.notSaved
+      return notice.gone.length === 0
+        ? w.notSaved
+        : {message: w.notSaved.message, hint: `${w.madeWay.message(joined(notice.gone))} ${w.notSaved.hint}`}
+    case "made-way":
+      return {message: w.madeWay.message(joined(notice.gone)), hint: w.madeWay.hint}
     case "progress-not-saved":
       return w.progressNotSaved
     case "robot-gone":

@@ -78,7 +78,8 @@ const known = [
 function world(value: unknown): World {
   const fields = record(value, "")
   for (const key of Object.keys(fields))
-    if (!known.includes(key)) throw new Wrong(key, "a world has nothing of that name.")
+    if (!known.includes(key))
+      throw new Wrong(key, "a world has nothing of that name; perhaps it is of a newer Rosy.")
   const name = text(fields, "name", "the name must be text.")
   const title = text(fields, "title", "the title must be text.")
   const tile = number(or(field(fields, "tile"), defaultTile), "tile")

@@ -62,22 +62,27 @@ describe("deleted programs", () => {
     expect(shelf.read("id2")).toBe("x = 1")
   })
 
-  it("make way for a program when the storage is full; programs of the list never do", () => {
-    const shelf = openProgramStore(limited(290), storage())
+  it("make way for a program when the storage is full and are named; programs of the list never do", () => {
+    const gone: (readonly string[])[] = []
+    const shelf = openProgramStore(limited(290), storage(), names => gone.push(names))
     expect(shelf.save("a", "old", "x".repeat(60), 1)).toBe(true)
     expect(shelf.save("b", "gone", "y".repeat(60), 2)).toBe(true)
     shelf.remove("b", 3)
     expect(shelf.save("c", "new", "z".repeat(60), 4)).toBe(true)
     expect(shelf.read("b")).toBeNull()
+    expect(gone).toEqual([["gone"]])
     expect(shelf.save("d", "more", "w".repeat(60), 5)).toBe(false)
     expect(names(shelf.programs())).toEqual(["new", "old"])
     expect(shelf.read("a")).toBe("x".repeat(60))
+    expect(gone).toHaveLength(1)
   })
 
   it("make way for another one when the storage is full, so that deleting works", () => {
     // Filled to the last letter: deleting makes the list longer.
     const inner = storage()
-    const shelf = (most: number) => openProgramStore(limited(most, inner), storage())
+    const gone: string[] = []
+    const shelf = (most: number) =>
+      openProgramStore(limited(most, inner), storage(), names => gone.push(...names))
     shelf(10_000).save("a", "walk", "move = 1", 1)
     shelf(10_000).remove("a", 1_700_000_000_000)
     shelf(10_000).save("b", "turn", "turn = 2", 2)
@@ -89,6 +94,18 @@ describe("deleted programs", () => {
     expect(names(shelf(used).programs())).toEqual([])
     expect(names(shelf(used).deleted())).toEqual(["turn"])
     expect(shelf(used).read("b")).toBe("turn = 2")
+    expect(gone).toEqual(["walk"])
+  })
+
+  it("of another class make way without their names", () => {
+    const gone: string[] = []
+    const shelf = openProgramStore(limited(200), storage(), names => gone.push(...names))
+    shelf.save("a", "secret", "x".repeat(60), 1)
+    shelf.remove("a", 2)
+    shelf.hide(id => id === "a")
+    expect(shelf.save("b", "mine", "y".repeat(60), 3)).toBe(true)
+    expect(shelf.read("a")).toBeNull()
+    expect(gone).toEqual([])
   })
 })
 

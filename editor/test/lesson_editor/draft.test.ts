@@ -218,7 +218,7 @@ describe("drafts in the browser", () => {
   test("are edited, tried from the first step on, and edited again", () => {
     const opened = reduceLesson(noLessons, {kind: "draft-opened", draft: whole()}).state
     const read = readLessonFile(lessonText(whole(), "teacher"), "de")
-    if (read.kind !== "lesson") throw new Error(read.at)
+    if (read.kind !== "lesson") throw new Error("expected a lesson")
     const {lesson} = read
     const before = {...opened, progress: {[lesson.name]: ["step-1"]}}
     const tried = reduceLesson(before, {kind: "draft-tried", lesson, runs: 2}).state

@@ -3,7 +3,11 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
 import {fragmentOf, programIn} from "../../src/browser/share_link.ts"
+import {refuseLesson} from "../../src/controller/lessons/lessons.ts"
+import {readDraft} from "../../src/lesson_files/draft_file.ts"
 import {isLessonFile, readLessonFile} from "../../src/lesson_files/lesson_file.ts"
+import type {PageEvent} from "../../src/state/page_events.ts"
+import {noticeText} from "../../src/ui/descriptions.ts"
 
 const question = {id: "look", kind: "investigate", answers: ["a", "b"], right: "a"}
 const made = {id: "go", kind: "make", seconds: 5, checks: [{kind: "moves", id: "far", metres: 1}]}
@@ -57,7 +61,6 @@ describe("a lesson from a file", () => {
   })
 
   const wrong: readonly (readonly [string, object])[] = [
-    ["lesson", {...file, lesson: 2}],
     ["lesson", {...file, lesson: "1"}],
     ["name", {...file, name: undefined}],
     ["start", {...file, start: 3}],
@@ -77,6 +80,20 @@ describe("a lesson from a file", () => {
       {...file, steps: [question, {...made, checks: [{kind: "flies", id: "far"}]}]},
     ],
   ]
+  test("of a newer Rosy is said to be that, with both versions, whatever else has changed in it", () => {
+    const found = read({...file, lesson: 2, texts: {}, steps: [{kind: "ponder"}]})
+    expect(found).toEqual({kind: "newer", version: 2})
+    expect(readDraft(JSON.stringify({...file, lesson: 2}), "de")).toEqual({kind: "newer", version: 2})
+    const told: PageEvent[] = []
+    refuseLesson({dispatch: event => told.push(event)}, "mine.json", {kind: "newer", version: 2})
+    const [event] = told
+    if (event?.kind !== "notice" || event.notice === null) throw new Error("expected a notice")
+    const {message, hint} = noticeText(event.notice)
+    expect(`${message} ${hint}`).toBe(
+      "mine.json cannot be opened: it is a lesson of a newer Rosy. Its version is 2, and this Rosy reads up to 1; update Rosy to open it.",
+    )
+  })
+
   test.each(wrong)("a mistake at %s is found there", (at, value) => {
     const found = read(value)
     expect(found.kind === "damaged" && found.at).toBe(at)

@@ -4,6 +4,7 @@ import {describe, expect, it} from "vitest"
 import {type Document, emptyDocument, emptyHistory} from "../../src/program/history.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState} from "../../src/state/page_state.ts"
+import {noticeText} from "../../src/ui/descriptions.ts"
 import {document, hello, open, play, press, program, running, text} from "./event_player.ts"
 
 describe("a program that is opened", () => {
@@ -82,5 +83,23 @@ describe("another tab stored the open program", () => {
     expect(during.ops).not.toContain("world")
     expect(during.state.run.kind).toBe("running")
     expect(during.state.worldName).toBe(initialState.worldName)
+  })
+})
+
+describe("a program that cannot be stored", () => {
+  it("is said together with the deleted programs that made way for it, as often as it fails", () => {
+    const gone: PageEvent = {kind: "notice", notice: {kind: "made-way", gone: ["walk", "turn"]}}
+    const failed: PageEvent = {kind: "stored", ok: false}
+    const {state} = play(open, gone, failed, failed)
+    expect(state.notice).toEqual({kind: "not-saved", gone: ["walk", "turn"]})
+    const {hint} = noticeText(state.notice!)
+    expect(hint).toContain("walk, turn")
+    expect(hint).toContain("My programs")
+    expect(play(open, failed).state.notice).toEqual({kind: "not-saved", gone: []})
+  })
+
+  it("leaves the notice about programs that made way where it found room", () => {
+    const notice = {kind: "made-way", gone: ["walk"]} as const
+    expect(play(open, {kind: "notice", notice}, {kind: "stored", ok: true}).state.notice).toEqual(notice)
   })
 })

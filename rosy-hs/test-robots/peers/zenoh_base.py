@@ -6,8 +6,9 @@ from the message definitions of common_interfaces, kobuki_ros_interfaces and tur
 DDSI-RTPS 2.5, 10); it shares nothing with Rosy. The type hashes are those that rosbags 0.11 computes from the
 definitions; that of the service is what ROS 2 Humble has for all.
 
-In: port of the router, and then what ``fast_dds_base.cpp`` takes, on the command line and on standard input; also
-``router off``, ``router on``, and ``garble``, for odometry that breaks off. Out: what that says.
+In: port of the router, and then what ``fast_dds_base.cpp`` takes, on the command line and on standard input; also the
+word ``no_router`` for one that uses another's router, and ``router off``, ``router on``, and ``garble``, for odometry
+that breaks off. Out: what that says.
 """
 
 import json
@@ -235,7 +236,7 @@ def move():
 
 
 DRIVE = Drive()
-router = start_router()
+router = None if "no_router" in WORDS else start_router()
 # As a node's session is by default: a peer that knows the others from the router of its computer.
 OWN = session(
     "peer",
@@ -292,4 +293,5 @@ for line in sys.stdin:
         case ["quit"]:
             break
 OWN.close()
-router.close()
+if router is not None:
+    router.close()

@@ -19,7 +19,7 @@ from .messages.nickname import BadNickname, read_nickname
 from .pupil_state import PupilState
 from .store.class_store import ClassStore, NicknameTaken, Pupil, StoreFull, Version
 from .store.database import StoreError
-from .store.retention import DELETED_KEPT
+from .store.retention import kept_until
 from .store.roster_store import RemovedPupil
 from .store.store_thread import StoreThread
 from .word_list import draw_words
@@ -105,7 +105,9 @@ class ClassRoster:
 
     def door_shown(self) -> b.DoorShown:
         """Whether new pupils are let in, and who was removed."""
-        removed = [b.RemovedShown(one.id, one.nickname, one.at, one.at + DELETED_KEPT) for one in self._removed]
+        removed = [
+            b.RemovedShown(one.id, one.nickname, one.at, kept_until(one.at, one.announced)) for one in self._removed
+        ]
         return b.DoorShown(self._authenticator.is_locked, removed)
 
     async def lock_door(self, locked: bool) -> None:

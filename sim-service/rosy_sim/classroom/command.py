@@ -17,7 +17,7 @@ from ..sentences.wording import in_terminal
 from .exports.class_export import write_export
 from .store.class_places import ClassPlace, remove_expired
 from .store.database import DeletedClass
-from .store.retention import DELETED_KEPT, NOTICE
+from .store.retention import kept_until
 
 __all__ = ["add_class_options", "deleted_sentence", "run_class_command"]
 
@@ -112,7 +112,7 @@ def _delete(
     if options.forever:
         say(tr("Nothing of it can be restored afterwards."))
     else:
-        say(tr("It can be restored until {date}.", date=_last_day(now)))
+        say(tr("It can be restored until {date}.", date=_last_day(now, None)))
     if not options.yes:
         say(tr("Type the name of the class to delete it:"))
         typed = answer()
@@ -136,15 +136,15 @@ def _delete(
 
 def deleted_sentence(deleted: DeletedClass) -> Sentence:
     """Until when a deleted class can be restored, or after which day the next start removes it."""
+    date = _last_day(deleted.at, deleted.announced)
     if deleted.announced is None:
-        return tr("{name} (deleted; can be restored until {date})", name=deleted.name, date=_last_day(deleted.at))
-    date = _day(deleted.announced + NOTICE)
+        return tr("{name} (deleted; can be restored until {date})", name=deleted.name, date=date)
     return tr("{name} (deleted; a start after {date} removes it for good)", name=deleted.name, date=date)
 
 
-def _last_day(deleted: float) -> str:
-    """The last whole day on which a class that was deleted then can be restored."""
-    return _day(deleted + DELETED_KEPT)
+def _last_day(deleted: float, announced: float | None) -> str:
+    """The last whole day on which a class that was deleted then can be restored for certain."""
+    return _day(kept_until(deleted, announced))
 
 
 def _day(time: float) -> str:

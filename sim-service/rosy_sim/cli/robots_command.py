@@ -17,7 +17,8 @@ from ..ros2.battery import Battery
 from ..ros2.nearby_robots import NearbyRobot
 from ..ros2.robot_bridge import check_installed
 from ..ros2.transports.address import parse_ros2_address
-from ..sentences.sentence import tr
+from ..sentences.sentence import Sentence, tr
+from ..sentences.wording import in_terminal
 
 __all__ = ["list_robots"]
 
@@ -55,7 +56,18 @@ def list_robots(
     widths = [max(len(row[column]) for row in rows) for column in range(4)]
     for row in rows:
         print_text("  ".join(f"{text:{width}}" for text, width in zip(row, widths, strict=True) if width).rstrip())
+    for robot in robots:
+        if robot.several:
+            print_text(in_terminal(_several(robot)))
     return 0
+
+
+def _several(robot: NearbyRobot) -> Sentence:
+    return tr(
+        "Several robots answer on the same topics at {address}, and one program drives all of them: "
+        "give each a namespace.",
+        address=robot.bare,
+    )
 
 
 async def _discovered(

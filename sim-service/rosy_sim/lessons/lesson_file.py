@@ -16,7 +16,7 @@ import msgspec
 from msgspec import Meta
 
 from ..errors import BadInput
-from ..files import read_json, read_text
+from ..files import read_json, read_text, refuse_newer
 from ..sentences.sentence import Sentence, tr, verbatim
 from ..wire.user_input import TimedInput
 from ..world.arena import Arena
@@ -132,15 +132,11 @@ def read_lesson(folder: Path) -> Lesson:
         BadInput: the first mistake in its files.
     """
     path = folder / "lesson.json"
-    file = _decoded(read_json(path, tr("lesson")), LessonFile, path)
-    if file.lesson > VERSION:
-        raise BadInput(
-            tr(
-                "{path} was written for a newer Rosy (version {lesson}); update Rosy to open it.",
-                path=path,
-                lesson=file.lesson,
-            )
-        )
+    value = read_json(path, tr("lesson"))
+    # First: a newer format may have other fields.
+    if isinstance(value, dict) and isinstance(version := value.get("lesson"), int):
+        refuse_newer(path, version, VERSION)
+    file = _decoded(value, LessonFile, path)
     world = _world(file, path)
     arena = usable_arena(world, f"{path}: room")
     _examine(file, arena, path)

@@ -133,7 +133,7 @@ class RobotRegistry:
         configured = {canonical_address(address): name for name, address in self._configured.items()}
         for found in self._nearby:
             battery = found.battery
-            nearby = page.Nearby(found.title, found.domain, battery.charge, battery.volts, found.zenoh)
+            nearby = page.Nearby(found.title, found.domain, battery.charge, battery.volts, found.zenoh, found.several)
             place = canonical_address(found.bare)
             if place in configured:
                 name = configured[place]

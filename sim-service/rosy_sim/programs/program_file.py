@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BadInput
-from ..files import InOlderEncoding, parse_json, read_text
+from ..files import InOlderEncoding, parse_json, read_text, refuse_newer
 from ..sentences.sentence import Sentence, tr
 from ..wire.problem import Problem
 from .literate_haskell import BEGIN_CODE, END_CODE, TRACK, LiterateProgram, is_literate, literate_program
@@ -94,14 +94,7 @@ def _project(path: Path, value: object) -> ProgramFile:
     version = value["rosy"]
     if isinstance(version, bool) or not isinstance(version, int) or version < 1:
         raise BadInput(tr("{path} is not a Rosy project: its version is not a number.", path=path))
-    if version > VERSION:
-        raise BadInput(
-            tr(
-                "{path} was saved by a newer Rosy (version {version}); update Rosy to open it.",
-                path=path,
-                version=version,
-            )
-        )
+    refuse_newer(path, version, VERSION)
     source = value.get("haskell")
     if not isinstance(source, str):
         raise BadInput(tr("{path} is not a Rosy project: it holds no program.", path=path))

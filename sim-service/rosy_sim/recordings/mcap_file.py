@@ -22,6 +22,7 @@ from mcap.writer import Writer
 from zstandard import ZstdError
 
 from ..errors import BadInput
+from ..files import refuse_newer
 from ..sentences.sentence import tr
 from ..wire.topics import COMMAND_TOPICS, SENSOR_TOPICS
 from .link_log import LinkLine, LinkMessage, LogEnd, Source, read_log, to_line, to_message
@@ -230,15 +231,7 @@ def read_recording(stream: BinaryIO, path: Path) -> Recording:
                     seconds = (last - first) / 1e9
         if program is None or told is None:
             raise BadInput(tr("{path} is no recording of a run: it lacks the program that was recorded.", path=path))
-        version = int(told.get("version", "1"))
-        if version > VERSION:
-            raise BadInput(
-                tr(
-                    "{path} was saved by a newer Rosy (version {version}); update Rosy to open it.",
-                    path=path,
-                    version=version,
-                )
-            )
+        refuse_newer(path, int(told.get("version", "1")), VERSION)
         run = RunDetails(program.decode(), told.get("robot", ""), told.get("name", ""), told.get("ended", ""))
         return Recording(run, told.get("complete") == "yes", int(told.get("left_out", "0")), seconds, stream, path)
 

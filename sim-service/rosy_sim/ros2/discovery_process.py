@@ -12,7 +12,7 @@ import sys
 
 from .battery import Battery, BatteryTopic, battery_topic, read_battery
 from .nearby_robots import NearbyRobot, encode_robots
-from .profiles import FoundRobot, find_robots, hosts_of, title_of
+from .profiles import FoundRobot, are_several, find_robots, hosts_of, title_of
 from .robot_bridge import robot_address
 from .transports.address import Ros2Address, is_router, parse_ros2_address
 from .transports.dds_messages import BadMessage, to_json
@@ -38,7 +38,8 @@ class _Batteries:
     def of(self, robot: FoundRobot, graph: Graph) -> Battery:
         """The last one that a robot has reported. Where robots share a topic it is not known whose it is."""
         topic = battery_topic(robot.kind, robot.namespace)
-        if topic is None or robot.host is not None or graph.topics().get(topic.name) != topic.type:
+        is_shared = robot.host is not None or are_several(robot, graph.processes())
+        if topic is None or is_shared or graph.topics().get(topic.name) != topic.type:
             return Battery()
         quality = graph.reading_quality(dds_topic(topic.name))
         known = self._readers.get(topic)
@@ -65,6 +66,7 @@ def _robots(place: Ros2Address, graph: Graph, batteries: _Batteries) -> list[Nea
             robot_address(place, robot).text(),
             batteries.of(robot, graph),
             any(is_router(host) for host in hosts_of(robot, graph.hosts())),
+            are_several(robot, graph.processes()),
         )
         for robot in find_robots(topics, graph.hosts())
         if not place.namespace or robot.namespace == place.namespace

@@ -22,7 +22,8 @@ class NearbyRobot(msgspec.Struct, frozen=True):
     """
     ``title`` is what it is, such as TurtleBot 3, and ``name`` what it is called: its namespace, which may be empty.
     ``bare`` is its address without the options that ``address`` has; the address names its computer where another
-    robot of the domain has the same topics. ``zenoh`` is whether it speaks Zenoh in place of DDS.
+    robot of the domain has the same topics. ``zenoh`` is whether it speaks Zenoh in place of DDS, and ``several``
+    whether several robots are there that nothing tells apart.
     """
 
     title: str
@@ -32,6 +33,7 @@ class NearbyRobot(msgspec.Struct, frozen=True):
     address: str
     battery: Battery
     zenoh: bool = False
+    several: bool = False
 
 
 _decoder = msgspec.json.Decoder(list[NearbyRobot])

@@ -14,7 +14,7 @@ from functools import cache
 from ..robot_description import description, known_robots
 from .velocity_watch import VELOCITIES
 
-__all__ = ["FoundRobot", "find_robots", "hosts_of", "title_of"]
+__all__ = ["FoundRobot", "are_several", "find_robots", "hosts_of", "title_of"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -84,8 +84,16 @@ def hosts_of(robot: FoundRobot, hosts: Mapping[str, Sequence[str]]) -> set[str]:
     """Those of a graph's computers that publish what only such a robot does, or the one that it is told apart by."""
     if robot.host is not None:
         return {robot.host}
-    topics = (f"{robot.namespace}{mark.ending}" for mark in _descriptions()[robot.kind].marks)
-    return {host for topic in topics for host in hosts.get(topic, ())}
+    return {host for topic in _own_topics(robot) for host in hosts.get(topic, ())}
+
+
+def are_several(robot: FoundRobot, processes: Mapping[str, Mapping[str, int]]) -> bool:
+    """
+    Whether several robots answer as this one: more than one process of a computer, or behind a router, publishes what
+    only such a robot does. Nothing tells them apart, and a command reaches all of them.
+    """
+    counts = (processes.get(topic, {}) for topic in _own_topics(robot))
+    return any(count > 1 for found in counts for host, count in found.items() if robot.host in (None, host))
 
 
 def title_of(robot: FoundRobot, topics: Mapping[str, str]) -> str:
@@ -93,6 +101,10 @@ def title_of(robot: FoundRobot, topics: Mapping[str, str]) -> str:
     own = (kind.partition("/")[0] for topic, kind in topics.items() if topic.startswith(f"{robot.namespace}/"))
     carriers = [_CARRIERS[package] for package in own if package in _CARRIERS]
     return carriers[0] if carriers else str(description(robot.kind)["title"])
+
+
+def _own_topics(robot: FoundRobot) -> list[str]:
+    return [f"{robot.namespace}{mark.ending}" for mark in _descriptions()[robot.kind].marks]
 
 
 def _renamed(robot: FoundRobot, topics: Mapping[str, str]) -> Iterator[tuple[str, str]]:

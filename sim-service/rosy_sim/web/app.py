@@ -50,7 +50,7 @@ def build_app(
         class_store: the open class of class mode.
         addresses: where others on the network reach the service.
         names: host names to serve beside IP addresses; ``None`` for every name.
-        more: further routes.
+        more: further routes, those of a cluster, whose pages connect to its nodes.
     """
     classroom = Classroom(class_store, addresses, time.monotonic) if class_store is not None else None
     service = Service(config, classroom)
@@ -67,7 +67,7 @@ def build_app(
         *_pages(config),
     ]
     middleware = [
-        Middleware(BrowserSafety, names=names),
+        Middleware(BrowserSafety, names=names, has_nodes=bool(more)),
         *origins.middleware(),
         Middleware(RequestTurns, scheduler=service.loop_scheduler),
     ]

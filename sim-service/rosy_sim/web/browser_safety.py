@@ -22,11 +22,22 @@ from ..sentences.wording import in_terminal
 
 __all__ = ["BrowserSafety", "own_names"]
 
-_POLICY = "script-src 'self' 'wasm-unsafe-eval'; object-src 'none'; base-uri 'none'"
+_POLICY = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
+    "font-src 'self' data:; img-src 'self' data: blob:; frame-src 'self'; form-action 'none'; base-uri 'none'"
+)
 """
-Directives for every page. Content Security Policy Level 3. Scripts and workers are files of this service; the reader of
-programs is WebAssembly, which ``'wasm-unsafe-eval'`` allows, and no text becomes a script.
+Directives for every page but the guide's. Content Security Policy Level 3. Scripts and workers are files of this
+service; the reader of programs is WebAssembly, which ``'wasm-unsafe-eval'`` allows, and no text becomes a script.
+Blockly and CodeMirror add style elements. Small fonts, the icon and pictures in style sheets are data URLs, and a
+diagram is saved as PNG by way of a blob. The board frames a pupil's program. No form is sent.
 """
+
+_OWN_SERVICE = "connect-src 'self'"
+"""Requests and WebSockets of this origin (CSP3, section 6.7.2.8: ``'self'`` matches ``ws:`` of the same host)."""
+
+_NODES = f"{_OWN_SERVICE} http: ws:"
+"""A page of a cluster also connects to the node that has its class, whose address it learns later (``cluster``)."""
 
 _GUIDE = "/guide/"
 
@@ -53,11 +64,13 @@ class BrowserSafety:
     Args:
         app: the application.
         names: host names to serve; ``None`` for every name.
+        has_nodes: whether pages connect to other nodes of a cluster.
     """
 
-    def __init__(self, app: ASGIApp, names: Iterable[str] | None) -> None:
+    def __init__(self, app: ASGIApp, names: Iterable[str] | None, has_nodes: bool = False) -> None:
         self._app = app
         self._names = None if names is None else frozenset(names)
+        self._policy = f"{_POLICY}; {_NODES if has_nodes else _OWN_SERVICE}"
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve a request, or refuse it."""
@@ -66,7 +79,7 @@ class BrowserSafety:
         elif not self._is_own(Headers(scope=scope).get("host", "")):
             await _refuse(scope, receive, send)
         elif scope["type"] == "http":
-            await self._app(scope, receive, _with_headers(send, scope))
+            await self._app(scope, receive, _with_headers(send, scope, self._policy))
         else:
             await self._app(scope, receive, send)
 
@@ -97,7 +110,7 @@ async def _refuse(scope: Scope, receive: Receive, send: Send) -> None:
     await PlainTextResponse(f"{in_terminal(sentence)}\n", status_code=421)(scope, receive, send)
 
 
-def _with_headers(send: Send, scope: Scope) -> Send:
+def _with_headers(send: Send, scope: Scope, policy: str) -> Send:
     """
     Adds the headers to the response; only a page that asks to be embedded may be framed by other sites. One that asks
     for the teacher's board may be framed by this service, because it tells its frame what is chosen in it.
@@ -115,12 +128,12 @@ def _with_headers(send: Send, scope: Scope) -> Send:
                 headers["Content-Security-Policy"] = _GUIDE_POLICY
                 headers["X-Frame-Options"] = "DENY"
             elif is_on_board:
-                headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors 'self'"
+                headers["Content-Security-Policy"] = f"{policy}; frame-ancestors 'self'"
                 headers["X-Frame-Options"] = "SAMEORIGIN"
             elif is_embedded:
-                headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors *"
+                headers["Content-Security-Policy"] = f"{policy}; frame-ancestors *"
             else:
-                headers["Content-Security-Policy"] = f"{_POLICY}; frame-ancestors 'none'"
+                headers["Content-Security-Policy"] = f"{policy}; frame-ancestors 'none'"
                 headers["X-Frame-Options"] = "DENY"
         await send(message)
 

@@ -155,7 +155,7 @@ def read_arena(value: object) -> Arena:
     }
     for key in fields:
         if key not in known:
-            raise ArenaError(key, tr("a world has nothing of that name."))
+            raise ArenaError(key, tr("a world has nothing of that name; perhaps it is of a newer Rosy."))
     name = fields.get("name", "")
     if not isinstance(name, str):
         raise ArenaError("name", tr("the name must be text."))

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from rosy_sim.classroom.store.retention import DELETED_KEPT, NOTICE, next_step
+from rosy_sim.classroom.store.retention import DELETED_KEPT, NOTICE, kept_until, next_step
 
 DAY, HOUR = 86_400.0, 3_600.0
 AT = 1_000 * DAY
@@ -41,6 +41,13 @@ def test_a_clock_that_jumps_and_is_put_right_within_a_day_removes_nothing(jump: 
         assert "remove" not in steps
         # No announcement of the wrong clock is left.
         assert steps[-1] == "keep"
+
+
+@pytest.mark.parametrize("announced", [None, AT + DELETED_KEPT + 5, AT + 90 * DAY])
+def test_until_the_day_that_is_shown_nothing_is_removed_and_then_something_happens(announced: float | None) -> None:
+    last = kept_until(AT, announced)
+    assert next_step(AT, announced, last - 1) == "keep"
+    assert next_step(AT, announced, last + 1) == ("announce" if announced is None else "remove")
 
 
 def test_an_announcement_from_the_future_counts_for_nothing() -> None:

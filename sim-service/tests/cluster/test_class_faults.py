@@ -13,6 +13,7 @@ import pytest
 from rosy_sim.bench.cluster.local_nodes import cluster_command
 from rosy_sim.classroom.store.class_folder import open_class
 from rosy_sim.classroom.store.database import SqliteDatabase
+from rosy_sim.classroom.store.schema import MIGRATIONS
 
 from ..conftest import PATIENCE
 from ..test_cli import environment
@@ -36,8 +37,9 @@ def test_a_service_that_cannot_start_tells_its_actor_a_sentence(environment: dic
         assert service.stdout is not None
         assert json.loads(service.stdout.readline()) == {
             "type": "Failed",
-            "id": "This class was opened by a newer Rosy; open it with that one.",
-            "arguments": {},
+            "id": "This class was opened by a newer Rosy: its version is {version}, and this Rosy reads up to "
+            "{newest}. Open it with that one.",
+            "arguments": {"version": 999, "newest": len(MIGRATIONS)},
         }
         assert service.wait(PATIENCE) == 1
 

@@ -65,7 +65,11 @@ MISTAKES: list[tuple[str, Change, str]] = [
     ("no course", lambda at: at.pop("course"), "course is missing."),
     ("unknown field", lambda at: at.update(rom=1), "there is no field rom here."),
     ("text for a number", lambda at: at.update(number="one"), "at number: expected a whole number, found a text."),
-    ("a newer version", lambda at: at.update(lesson=2), "newer Rosy"),
+    (
+        "a newer version",
+        lambda at: at.update(lesson=2, rom=1),
+        "newer Rosy: its version is 2, and this Rosy reads up to 1",
+    ),
     ("no such room", lambda at: at.update(room="cellar"), "There is no world called 'cellar'"),
     ("a room that is none", lambda at: at.update(room={"size": [4, 3]}), "is not a world"),
     (

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
 import pytest
 
 from rosy_sim.errors import BadInput
-from rosy_sim.ros2.profiles import FoundRobot, find_robots, hosts_of, title_of
+from rosy_sim.ros2.profiles import FoundRobot, are_several, find_robots, hosts_of, title_of
 from rosy_sim.ros2.robot_bridge import recognised, robot_address
 from rosy_sim.ros2.transports.address import Ros2Address, is_router, parse_ros2_address
 from rosy_sim.ros2.transports.dds_names import (
@@ -178,6 +179,27 @@ def test_computers_are_those_of_the_writers_of_a_topic() -> None:
 
     graph = Graph([on("rt/a", "b"), on("rt/a", "a"), on("rt/b", ""), on("Square", "a")], [on("rt/b", "c")])
     assert graph.hosts() == {"/a": ["a", "b"]}
+
+
+def test_several_processes_behind_one_router_that_are_the_same_robot_are_several_robots() -> None:
+    def own(topic: str, process: bytes, host: str = "pi:7447") -> Endpoint:
+        return Endpoint(topic, "turtlebot3_msgs::msg::dds_::SensorState_", RELIABLE, process, host)
+
+    [robot] = find_robots(TURTLEBOT3)
+    # What others publish is no robot, nor is a process that publishes twice.
+    one = Graph([own("rt/sensor_state", b"a"), own("rt/odom", b"a"), own("rt/odom", b"b")])
+    assert not are_several(robot, one.processes())
+    two = Graph([own("rt/sensor_state", b"a"), own("rt/sensor_state", b"b")])
+    assert are_several(robot, two.processes())
+    assert not are_several(replace(robot, namespace="/lab"), two.processes())
+    # Their computers tell them apart.
+    apart = Graph([own("rt/sensor_state", b"a", "10.0.0.5"), own("rt/sensor_state", b"b", "10.0.0.7")])
+    assert not are_several(robot, apart.processes())
+    both = Graph([*apart.writers, own("rt/sensor_state", b"c", "10.0.0.7")])
+    assert [are_several(replace(robot, host=host), both.processes()) for host in ("10.0.0.5", "10.0.0.7")] == [
+        False,
+        True,
+    ]
 
 
 def test_a_robot_in_a_hidden_namespace_is_the_base_of_another() -> None:

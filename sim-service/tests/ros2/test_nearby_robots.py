@@ -46,6 +46,23 @@ def test_a_robot_over_zenoh_is_listed_at_its_router(capsys: pytest.CaptureFixtur
     assert capsys.readouterr().out == f"TurtleBot 3  {where.address}/lab  Zenoh  87 %\n"
 
 
+def test_two_robots_on_one_router_with_the_same_topics_are_said_to_be_two(capsys: pytest.CaptureFixture[str]) -> None:
+    def is_enough(robots: Sequence[NearbyRobot]) -> bool:
+        return any(robot.several for robot in robots) and len(robots) == 2
+
+    with (
+        place("Zenoh") as where,
+        base(where, "/lab", "turtlebot3"),
+        base(where, "/lab", "turtlebot3", "no_router"),
+        base(where, "/hall", "turtlebot3", "no_router"),
+    ):
+        assert list_robots(SPEAKER, [where.address], PATIENCE, print, is_enough) == 0
+    *rows, said = capsys.readouterr().out.splitlines()
+    assert [row.split()[2] for row in rows] == [f"{where.address}/hall", f"{where.address}/lab"]
+    assert said.startswith(f"Several robots answer on the same topics at {where.address}/lab, ")
+    assert said.endswith("give each a namespace.")
+
+
 def test_where_no_robot_is_the_command_says_so() -> None:
     with free_domain() as domain, pytest.raises(RobotMissing, match=f"No robot is found at ros2:{domain}:"):
         list_robots(SPEAKER, [f"ros2:{domain}"], 0.0, print)
@@ -111,12 +128,15 @@ def test_robots_of_one_name_are_told_apart_and_keep_their_names() -> None:
 
 def test_a_robot_that_has_a_name_already_is_listed_once_with_what_is_found() -> None:
     robots = registry({"Lab": "ros2:0/lab?rearm=off"})
-    robots.set_nearby([msgspec.structs.replace(nearby("ros2:0/lab", battery=Battery(87, 11.9)), zenoh=True)])
+    robots.set_nearby(
+        [msgspec.structs.replace(nearby("ros2:0/lab", battery=Battery(87, 11.9)), zenoh=True, several=True)]
+    )
     [robot] = robots.robots_for("page")
     assert robot.name == "Lab"
     assert robot.nearby is not None
     assert (robot.nearby.title, robot.nearby.charge, robot.nearby.volts) == ("TurtleBot 3", 87, 11.9)
     assert robot.nearby.zenoh
+    assert robot.nearby.several
     assert robots.acquire("Lab", "page", "Anna") == "ros2:0/lab?rearm=off"
 
 

@@ -31,6 +31,7 @@ def test_a_token_is_a_topic_with_its_key() -> None:
     assert not talker.is_reader
     endpoint = talker.endpoint("pi:7447")
     assert (ros_topic(endpoint.topic), ros_type(endpoint.type)) == ("/chatter", "std_msgs/String")
+    assert endpoint.participant != replace(talker, session="cd").endpoint("pi:7447").participant
     assert (endpoint.quality, endpoint.host) == (Quality(True, False), "pi:7447")
 
 

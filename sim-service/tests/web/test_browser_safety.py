@@ -12,7 +12,7 @@ from starlette.types import Message
 from rosy_sim.web.browser_safety import BrowserSafety, own_names
 
 
-def ask(host: str, query: str = "", kind: str = "http", path: str = "/") -> list[Message]:
+def ask(host: str, query: str = "", kind: str = "http", path: str = "/", has_nodes: bool = False) -> list[Message]:
     """What the middleware sends about a request."""
     sent: list[Message] = []
 
@@ -30,7 +30,7 @@ def ask(host: str, query: str = "", kind: str = "http", path: str = "/") -> list
         "headers": [(b"host", host.encode())],
     }
     app = PlainTextResponse("hello") if kind == "http" else _accept
-    asyncio.run(BrowserSafety(app, own_names("class.example"))(scope, receive, send))
+    asyncio.run(BrowserSafety(app, own_names("class.example"), has_nodes)(scope, receive, send))
     return sent
 
 
@@ -82,8 +82,32 @@ def test_the_guide_runs_no_script_but_its_own_files_and_is_not_framed() -> None:
     assert "frame-ancestors 'none'" in policy
 
 
-@pytest.mark.parametrize("query", ["", "example=a", "embed"])
-def test_pages_run_scripts_of_this_service_only(query: str) -> None:
-    found = headers(ask("localhost", query))
-    directives = dict(one.strip().split(" ", 1) for one in found["content-security-policy"].split(";"))
-    assert directives["script-src"] == "'self' 'wasm-unsafe-eval'"
+def directives(sent: list[Message]) -> dict[str, str]:
+    """The directives of the Content Security Policy by name."""
+    policy = headers(sent)["content-security-policy"]
+    return {name: value for name, _, value in (one.strip().partition(" ") for one in policy.split(";"))}
+
+
+@pytest.mark.parametrize("path", ["/", "/board.html", "/projector.html", "/prelude.html", "/guide/index.html"])
+@pytest.mark.parametrize("query", ["", "example=a", "embed", "embed=board", "class=7b"])
+def test_pages_run_and_load_and_reach_what_this_service_has_only(path: str, query: str) -> None:
+    found = directives(ask("localhost", query, path=path))
+    is_guide = path.startswith("/guide/")
+    assert found.pop("frame-ancestors")
+    assert found.pop("style-src") == ("'self'" if is_guide else "'self' 'unsafe-inline'")
+    assert found.pop("frame-src", "'self'") == "'self'"
+    assert found == {
+        "default-src": "'none'",
+        "script-src": "'self'" if is_guide else "'self' 'wasm-unsafe-eval'",
+        "font-src": "'self' data:",
+        "img-src": "'self' data:" if is_guide else "'self' data: blob:",
+        "connect-src": "'self'",
+        "form-action": "'none'",
+        "base-uri": "'none'",
+    }
+
+
+def test_pages_of_a_cluster_reach_its_nodes() -> None:
+    found = directives(ask("localhost", "class=7b", has_nodes=True))
+    assert found["connect-src"] == "'self' http: ws:"
+    assert found["default-src"] == "'none'"

@@ -18,6 +18,7 @@ import {writeWorld} from "../../worlds/world_encoder.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
 import type {ProgramLoader} from "../programs/program_loader.ts"
 import {openLessonRehearsals} from "./lesson_rehearsals.ts"
+import {refuseLesson} from "./lessons.ts"
 
 /// The draft that this tab had open, over a reload.
 const writingKey = "rosy.lesson.draft"
@@ -62,11 +63,7 @@ export function lessonEditorCommands(
     openFile(text) {
       const read = readDraft(text, document.documentElement.lang)
       if (read.kind === "draft") show(read.draft)
-      else
-        store.dispatch({
-          kind: "notice",
-          notice: {kind: "damaged-lesson", name: words.lessons.panel, at: read.at},
-        })
+      else refuseLesson(store, words.lessons.panel, read)
     },
     close: () => dispatch({kind: "draft-closed"}),
     remove: name => dispatch({kind: "draft-removed", name}),
@@ -93,11 +90,7 @@ export function lessonEditorCommands(
       const draft = now()
       if (draft === null || mistakesOf(draft).length > 0) return
       const read = readLessonFile(lessonText(draft, "teacher"), draft.language)
-      if (read.kind === "damaged")
-        return store.dispatch({
-          kind: "notice",
-          notice: {kind: "damaged-lesson", name: titleOf(draft), at: read.at},
-        })
+      if (read.kind !== "lesson") return refuseLesson(store, titleOf(draft), read)
       const {lesson} = read
       before = {name: store.now.name, text: loader.projectText(), id: loader.storedId()}
       openProgram(draft, lesson.steps[0]?.program ?? lesson.start, lesson.room, true)
@@ -178,5 +171,5 @@ export function resumeDraft(store: Store, storage: {readonly tab: Storage}): voi
 
 function tryToKeep(store: Store, storage: Storage, key: string, text: string): void {
   // A draft that is not kept has to be known.
-  if (!tryToStore(storage, key, text)) store.dispatch({kind: "notice", notice: {kind: "not-saved"}})
+  if (!tryToStore(storage, key, text)) store.dispatch({kind: "notice", notice: {kind: "not-saved", gone: []}})
 }

@@ -6,7 +6,7 @@ import {fragmentOf} from "../../browser/share_link.ts"
 import type {Store} from "../../browser/store.ts"
 import {draftsKey, readDrafts} from "../../lesson_files/draft_storage.ts"
 import type {Lesson} from "../../lesson_files/lesson.ts"
-import {isLessonFile, readLessonFile} from "../../lesson_files/lesson_file.ts"
+import {isLessonFile, type RefusedLesson, readLessonFile, version} from "../../lesson_files/lesson_file.ts"
 import {readProgress, writeProgress} from "../../lesson_files/progress.ts"
 import {type Arrangement, afterLesson, duringLesson} from "../../state/arrangement.ts"
 import {
@@ -16,7 +16,7 @@ import {
   noLessons,
   programAt,
 } from "../../state/lesson_state.ts"
-import type {PageState} from "../../state/page_state.ts"
+import type {Notice, PageState} from "../../state/page_state.ts"
 import {tryToStore} from "../../storage/browser_storage.ts"
 import type {AppController} from "../../ui/app_context.ts"
 import type {PageParts} from "../document/page_parts.ts"
@@ -90,7 +90,7 @@ function show(store: Store, loader: ProgramLoader, lesson: Lesson, origin: Origi
   store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
 }
 
-/// Opens a lesson from a file or a link; false, with a notice that calls it by `name`, for a damaged one.
+/// Opens a lesson from a file or a link; false, with a notice that calls it by `name`, for one that cannot be read.
 export function openLessonText(
   store: Store,
   loader: ProgramLoader,
@@ -100,8 +100,17 @@ export function openLessonText(
 ): boolean {
   const read = readLessonFile(text, document.documentElement.lang)
   if (read.kind === "lesson") show(store, loader, read.lesson, origin)
-  else store.dispatch({kind: "notice", notice: {kind: "damaged-lesson", name, at: read.at}})
+  else refuseLesson(store, name, read)
   return read.kind === "lesson"
+}
+
+/// Says why a text is not opened as a lesson; `name` is what the notice calls it.
+export function refuseLesson(store: Pick<Store, "dispatch">, name: string, why: RefusedLesson): void {
+  const notice: Notice =
+    why.kind === "newer"
+      ? {kind: "newer-lesson", name, version: why.version, newest: version}
+      : {kind: "damaged-lesson", name, at: why.at}
+  store.dispatch({kind: "notice", notice})
 }
 
 /// The loader, which opens a file with a lesson as a lesson.

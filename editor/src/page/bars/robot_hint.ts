@@ -10,7 +10,8 @@ export function robotHint({name, holder, yours, nearby}: RobotName): string {
     nearby === null ? [] : [w.domain(nearby.domain), ...(nearby.zenoh ? ["Zenoh"] : []), ...battery(nearby)]
   const kind = nearby === null || name.startsWith(nearby.title) ? [] : [nearby.title]
   const who = yours ? w.yours : holder === null ? w.free : w.has(holder)
-  return [...kind, ...found, who].join(" · ")
+  const several = nearby?.several === true ? [w.several] : []
+  return [...kind, ...found, who, ...several].join(" · ")
 }
 
 function battery({charge, volts}: Nearby): string[] {

@@ -85,14 +85,9 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
       </div>
       <NodeQuestions />
       <FunctionActions />
-      {refused !== null && (
-        <p class="refused" role="alert">
-          {refused}
-        </p>
-      )}
       {asList && shown && <ConnectionMenu ask={ask} />}
       {/* Haskell's names and arrows go from left to right in every language. */}
-      <div class="diagram-stage" dir="ltr" ref={stage}>
+      <div class="diagram-stage" dir="ltr" ref={stage} onPointerDown={() => setRefused(null)}>
         {!asList && <Palette side="sensors" isEmpty={outcome === "empty"} />}
         <div
           class={`diagram-host${isStale ? " stale" : ""}`}
@@ -104,6 +99,11 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         {!asList && <Palette side="actuators" isEmpty={outcome === "empty"} />}
         {asked !== null && (
           <ConnectionForm key={asked.proposal.title} asked={asked} close={() => setAsked(null)} />
+        )}
+        {refused !== null && (
+          <p class="refused" role="alert">
+            {refused}
+          </p>
         )}
       </div>
       <StandingBeside />

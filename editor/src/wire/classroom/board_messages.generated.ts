@@ -236,7 +236,8 @@ export const pupilsAdded: read.Decoder<PupilsAdded> = /*#__PURE__*/ read.struct<
   refused: read.items(nicknameRefused),
 })
 
-/// A pupil who was removed; `at` is when, `until` when everything stored of the pupil goes, in s since 1970.
+/// A pupil who was removed; `at` is when, and everything stored of the pupil is kept until `until` for certain, in s
+/// since 1970.
 export interface RemovedShown {
   readonly id: number
   readonly nickname: string

@@ -56,13 +56,15 @@ export const seen: read.Decoder<Seen> = /*#__PURE__*/ read.struct<Seen>({
 })
 
 /// A robot that was discovered: what it is, its domain of ROS 2, its battery, of which a robot reports the charge (%),
-/// the voltage (V) or nothing, and whether it speaks Zenoh in place of DDS.
+/// the voltage (V) or nothing, whether it speaks Zenoh in place of DDS, and whether several robots are there that
+/// nothing tells apart.
 export interface Nearby {
   readonly title: string
   readonly domain: number
   readonly charge: number | null
   readonly volts: number | null
   readonly zenoh: boolean
+  readonly several: boolean
 }
 export const nearby: read.Decoder<Nearby> = /*#__PURE__*/ read.struct<Nearby>({
   title: read.string,
@@ -70,6 +72,7 @@ export const nearby: read.Decoder<Nearby> = /*#__PURE__*/ read.struct<Nearby>({
   charge: read.absent(read.nullable(read.integer), null),
   volts: read.absent(read.nullable(read.number), null),
   zenoh: read.absent(read.boolean, false),
+  several: read.absent(read.boolean, false),
 })
 
 /// A robot, the name of its owner, and whether that is this page; `nearby` while it is discovered.

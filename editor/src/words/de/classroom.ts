@@ -266,7 +266,7 @@ export const classroom: Words["classroom"] = {
       removeThem: n => (n === 1 ? "Dieses Kind entfernen" : `Diese ${n} Kinder entfernen`),
       cancel: "Abbrechen",
       removed: "Entfernt",
-      until: when => `bis ${when}`,
+      until: when => `aufbewahrt bis ${when}, danach gelöscht`,
       restore: "Zurückholen",
       restoreOf: nickname => `${nickname} zurückholen`,
       refused: {

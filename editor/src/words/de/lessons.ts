@@ -16,6 +16,9 @@ export const lessons: Words["lessons"] = {
   damaged: (name: string, at: string) =>
     `${name} lässt sich nicht als Lektion öffnen: Bei ${at} fehlt etwas oder stimmt etwas nicht.`,
   damagedHint: "Bitte noch einmal um die Datei, oder verbessere sie dort und öffne sie noch einmal.",
+  newer: (name: string) => `${name} lässt sich nicht öffnen: Das ist eine Lektion eines neueren Rosy.`,
+  newerHint: (version: number, newest: number) =>
+    `Sie hat die Version ${version}, und dieses Rosy liest bis ${newest}. Hole dir ein neueres Rosy.`,
   linked: "Dieser Link",
   link: "Link zu dieser Lektion",
   courses: {

@@ -288,6 +288,7 @@ export const page: Omit<
     domain: domain => `ROS-2-Domain ${domain}`,
     charge: percent => `Akku ${percent} %`,
     volts: volts => `Akku ${short(volts, 1)} V`,
+    several: "mehrere Roboter auf denselben Topics: Gib jedem einen Namensraum (namespace)",
     discovers: "Ein Roboter auf ROS 2, der in diesem Netz eingeschaltet wird, erscheint hier von selbst.",
     yours: "du hast ihn",
     who: "Dein Name, damit die anderen ihn sehen",
@@ -443,6 +444,11 @@ export const page: Omit<
     notSaved: {
       message: "Dieser Browser hat keinen Platz, um dein Programm zu behalten.",
       hint: "Lösche Programme unter „Meine Programme“, oder speichere dieses als Datei, mit dem Menü oben in der Ecke.",
+    },
+    madeWay: {
+      message: names =>
+        `Dieser Browser ist voll. Deshalb hat Rosy diese gelöschten Programme endgültig entfernt: ${names}.`,
+      hint: "Lösche Programme, die du nicht mehr brauchst, und speichere als Datei, was du behalten willst.",
     },
     robotGone: {
       message: name => `Du hast ${name} nicht mehr.`,

@@ -260,7 +260,7 @@ export const classroom = {
       removeThem: (n: number) => (n === 1 ? "Remove this pupil" : `Remove these ${n} pupils`),
       cancel: "Cancel",
       removed: "Removed",
-      until: (when: string) => `until ${when}`,
+      until: (when: string) => `kept until ${when}, then deleted`,
       restore: "Bring back",
       restoreOf: (nickname: string) => `Bring ${nickname} back`,
       refused: {

@@ -12,6 +12,9 @@ export const lessons = {
   damaged: (name: string, at: string) =>
     `${name} cannot be opened as a lesson: something is missing or wrong at ${at}.`,
   damagedHint: "Ask for the file again, or mend it there and open it once more.",
+  newer: (name: string) => `${name} cannot be opened: it is a lesson of a newer Rosy.`,
+  newerHint: (version: number, newest: number) =>
+    `Its version is ${version}, and this Rosy reads up to ${newest}; update Rosy to open it.`,
   /// In place of a file's name.
   linked: "This link",
   link: "Link to this lesson",

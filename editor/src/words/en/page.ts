@@ -288,6 +288,7 @@ export const page = {
     domain: (domain: number) => `ROS 2 domain ${domain}`,
     charge: (percent: number) => `battery ${percent}%`,
     volts: (volts: number) => `battery ${short(volts, 1)} V`,
+    several: "several robots on the same topics: give each a namespace",
     discovers: "A robot on ROS 2 that is switched on in this network appears here by itself.",
     yours: "you have it",
     who: "Your name, for the others to see",
@@ -446,6 +447,11 @@ export const page = {
     notSaved: {
       message: "This browser has no room to keep your program.",
       hint: "Delete programs in My programs, or save this one as a file with the menu at the top right.",
+    },
+    madeWay: {
+      message: (names: string) =>
+        `This browser is full, so Rosy removed these deleted programs for good: ${names}.`,
+      hint: "Delete programs that you no longer need, and save as files what you want to keep.",
     },
     robotGone: {
       message: (name: string) => `You no longer have ${name}.`,

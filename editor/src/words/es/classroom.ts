@@ -263,7 +263,7 @@ export const classroom: Words["classroom"] = {
       removeThem: n => (n === 1 ? "Quitar" : `Quitar a estas ${n} personas`),
       cancel: "Cancelar",
       removed: "Fuera de la clase",
-      until: when => `hasta el ${when}`,
+      until: when => `se guarda hasta el ${when}; después se borra`,
       restore: "Recuperar",
       restoreOf: nickname => `Recuperar a ${nickname}`,
       refused: {

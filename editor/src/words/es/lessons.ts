@@ -16,6 +16,9 @@ export const lessons: Words["lessons"] = {
   missing: name => `No hay ninguna lección que se llame ${name}.`,
   damaged: (name, at) => `${name} no se puede abrir como lección: falta algo o hay algo mal en ${at}.`,
   damagedHint: "Pide el archivo otra vez, o corrígelo y ábrelo de nuevo.",
+  newer: (name: string) => `${name} no se puede abrir: es una lección de un Rosy más nuevo.`,
+  newerHint: (version: number, newest: number) =>
+    `Su versión es la ${version}, y este Rosy lee hasta la ${newest}; actualiza Rosy para abrirla.`,
   linked: "Este enlace",
   link: "Enlace a esta lección",
   courses: {

@@ -298,6 +298,7 @@ export const page: Omit<
     domain: domain => `dominio ${domain} de ROS 2`,
     charge: percent => `batería ${percent} %`,
     volts: volts => `batería ${short(volts, 1)} V`,
+    several: "varios robots en los mismos topics: da a cada uno un espacio de nombres (namespace)",
     discovers: "Un robot en ROS 2 que se enciende en esta red aparece aquí por sí solo.",
     yours: "lo tienes tú",
     who: "Tu nombre, para que lo vean los demás",
@@ -453,6 +454,11 @@ export const page: Omit<
     notSaved: {
       message: "Este navegador no tiene espacio para guardar tu programa.",
       hint: "Elimina programas en Mis programas, o guarda este como archivo con el menú de arriba a la derecha.",
+    },
+    madeWay: {
+      message: names =>
+        `Este navegador está lleno, así que Rosy ha quitado para siempre estos programas eliminados: ${names}.`,
+      hint: "Elimina los programas que ya no necesites y guarda como archivos lo que quieras conservar.",
     },
     robotGone: {
       message: name => `Ya no tienes ${name}.`,

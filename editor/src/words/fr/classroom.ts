@@ -270,7 +270,7 @@ export const classroom: Words["classroom"] = {
       removeThem: n => (n === 1 ? "Retirer cet élève" : `Retirer ces ${n} élèves`),
       cancel: "Annuler",
       removed: "Retirés",
-      until: when => `jusqu'au ${when}`,
+      until: when => `conservé jusqu'au ${when}, puis effacé`,
       restore: "Faire revenir",
       restoreOf: nickname => `Faire revenir ${nickname}`,
       refused: {

@@ -20,6 +20,9 @@ export const lessons: Words["lessons"] = {
   damaged: (name: string, at: string) =>
     `${name} ne peut pas être ouvert comme leçon : il manque quelque chose ou quelque chose est faux à ${at}.`,
   damagedHint: "Demande encore une fois le fichier, ou corrige-le à cet endroit et ouvre-le à nouveau.",
+  newer: (name: string) => `${name} ne peut pas être ouvert : c'est une leçon d'un Rosy plus récent.`,
+  newerHint: (version: number, newest: number) =>
+    `Elle a la version ${version}, et ce Rosy lit jusqu'à la version ${newest}. Mets Rosy à jour pour l'ouvrir.`,
   linked: "Ce lien",
   link: "Lien vers cette leçon",
   courses: {

@@ -298,6 +298,7 @@ export const page: Omit<
     domain: domain => `domaine ROS 2 ${domain}`,
     charge: percent => `batterie ${percent} %`,
     volts: volts => `batterie ${short(volts, 1)} V`,
+    several: "plusieurs robots sur les mêmes topics : donne à chacun un espace de noms (namespace)",
     discovers: "Un robot sur ROS 2 que l'on allume dans ce réseau apparaît ici tout seul.",
     yours: "c'est toi qui l'as",
     who: "Ton nom, pour que les autres le voient",
@@ -454,6 +455,11 @@ export const page: Omit<
     notSaved: {
       message: "Ce navigateur n'a plus de place pour garder ton programme.",
       hint: "Supprime des programmes dans « Mes programmes », ou enregistre celui-ci dans un fichier avec le menu en haut à droite.",
+    },
+    madeWay: {
+      message: names =>
+        `Ce navigateur est plein : Rosy a retiré pour de bon ces programmes supprimés : ${names}.`,
+      hint: "Supprime les programmes dont tu n'as plus besoin, et enregistre dans des fichiers ce que tu veux garder.",
     },
     robotGone: {
       message: name => `Tu n'as plus ${name}.`,

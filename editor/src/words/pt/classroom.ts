@@ -263,7 +263,7 @@ export const classroom: Words["classroom"] = {
       removeThem: n => (n === 1 ? "Tirar este aluno" : `Tirar estes ${n} alunos`),
       cancel: "Cancelar",
       removed: "Fora da turma",
-      until: when => `até ${when}`,
+      until: when => `guardado até ${when}, depois apagado`,
       restore: "Trazer de volta",
       restoreOf: nickname => `Trazer ${nickname} de volta`,
       refused: {

@@ -17,6 +17,9 @@ export const lessons: Words["lessons"] = {
   damaged: (name: string, at: string) =>
     `Não dá para abrir ${name} como lição: falta algo ou algo está errado em ${at}.`,
   damagedHint: "Peça o arquivo de novo, ou conserte esse ponto e abra mais uma vez.",
+  newer: (name: string) => `Não dá para abrir ${name}: é uma lição de um Rosy mais novo.`,
+  newerHint: (version: number, newest: number) =>
+    `A versão dela é ${version}, e este Rosy lê até ${newest}; atualize o Rosy para abri-la.`,
   linked: "Este link",
   link: "Link para esta lição",
   courses: {

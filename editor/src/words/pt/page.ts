@@ -290,6 +290,7 @@ export const page: Omit<
     domain: domain => `domínio ${domain} do ROS 2`,
     charge: percent => `bateria ${percent}%`,
     volts: volts => `bateria ${short(volts, 1)} V`,
+    several: "vários robôs nos mesmos tópicos: dê a cada um um namespace",
     discovers: "Um robô no ROS 2 que é ligado nesta rede aparece aqui sozinho.",
     yours: "você está com ele",
     who: "O seu nome, para os outros verem",
@@ -445,6 +446,11 @@ export const page: Omit<
     notSaved: {
       message: "Este navegador não tem espaço para guardar o seu programa.",
       hint: "Apague programas em Meus programas, ou salve este como arquivo pelo menu no alto à direita.",
+    },
+    madeWay: {
+      message: names =>
+        `Este navegador está cheio, por isso o Rosy removeu de vez estes programas apagados: ${names}.`,
+      hint: "Apague os programas de que você não precisa mais e salve como arquivos o que quiser guardar.",
     },
     robotGone: {
       message: name => `Você não está mais com ${name}.`,

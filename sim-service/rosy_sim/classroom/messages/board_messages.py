@@ -318,7 +318,10 @@ class PupilsAdded(msgspec.Struct, tag="pupils-added", tag_field="op"):
 
 
 class RemovedShown(msgspec.Struct):
-    """A pupil who was removed; ``at`` is when, ``until`` when everything stored of the pupil goes, in s since 1970."""
+    """
+    A pupil who was removed; ``at`` is when, and everything stored of the pupil is kept until ``until`` for certain, in
+    s since 1970.
+    """
 
     id: int
     nickname: str

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Literal
 
-__all__ = ["DELETED_KEPT", "NOTICE", "Step", "next_step"]
+__all__ = ["DELETED_KEPT", "NOTICE", "Step", "kept_until", "next_step"]
 
 DELETED_KEPT = 30 * 86_400.0
 """How long a deleted class and a removed pupil can be restored at least, s."""
@@ -17,6 +17,17 @@ NOTICE = 86_400.0
 """From the announcement to the removal, s. A choice of ours: a wrong clock is noticed on the day of a lesson."""
 
 Step = Literal["keep", "announce", "withdraw", "remove"]
+
+
+def kept_until(at: float, announced: float | None) -> float:
+    """
+    Until when something can be restored for certain; a start after that removes it, or announces that first.
+
+    Args:
+        at: when it was deleted, s since 1970.
+        announced: when its removal was announced, s since 1970.
+    """
+    return at + DELETED_KEPT if announced is None else announced + NOTICE
 
 
 def next_step(at: float, announced: float | None, now: float) -> Step:

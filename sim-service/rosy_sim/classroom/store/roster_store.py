@@ -50,11 +50,15 @@ class Pupil:
 
 @dataclass(frozen=True, slots=True)
 class RemovedPupil:
-    """A pupil who was removed, at a time in s since 1970, and can be restored."""
+    """
+    A pupil who was removed, at a time in s since 1970, and can be restored; ``announced`` is when the removal for good
+    was announced (``retention.py``).
+    """
 
     id: int
     nickname: str
     at: float
+    announced: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +115,7 @@ class RosterStore:
     def removed(self) -> list[RemovedPupil]:
         """The pupils who were removed, the one who was removed last first."""
         rows = self._database.execute(
-            "SELECT id, nickname, removed FROM pupil WHERE removed IS NOT NULL AND merged_into IS NULL "
+            "SELECT id, nickname, removed, announced FROM pupil WHERE removed IS NOT NULL AND merged_into IS NULL "
             "ORDER BY removed DESC, id DESC"
         )
         return [RemovedPupil(*row) for row in rows]

@@ -133,6 +133,13 @@ def migrate(database: Database) -> None:
     """
     applied = database.applied_migrations()
     if applied > len(MIGRATIONS):
-        raise BadInput(tr("This class was opened by a newer Rosy; open it with that one."))
+        raise BadInput(
+            tr(
+                "This class was opened by a newer Rosy: its version is {version}, and this Rosy reads up to {newest}. "
+                "Open it with that one.",
+                version=applied,
+                newest=len(MIGRATIONS),
+            )
+        )
     for number, statements in enumerate(MIGRATIONS[applied:], start=applied + 1):
         database.migrate(statements, number)

@@ -83,6 +83,14 @@ class Graph:
                 found.setdefault(topic, set()).add(endpoint.host)
         return {topic: sorted(hosts) for topic, hosts in sorted(found.items())}
 
+    def processes(self) -> dict[str, dict[str, int]]:
+        """How many processes write each topic, by computer."""
+        found: dict[str, dict[str, set[bytes]]] = {}
+        for endpoint in self.writers:
+            if topic := ros_topic(endpoint.topic):
+                found.setdefault(topic, {}).setdefault(endpoint.host, set()).add(endpoint.participant)
+        return {topic: {host: len(own) for host, own in hosts.items()} for topic, hosts in found.items()}
+
     def reader_types(self, topic: str) -> set[str]:
         """The types, as ROS has them, in which a DDS topic is read."""
         return {kind for e in self.readers if e.topic == topic and (kind := ros_type(e.type))}

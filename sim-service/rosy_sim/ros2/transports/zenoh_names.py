@@ -26,7 +26,7 @@ _BEST_EFFORT, _TRANSIENT_LOCAL = "2", "1"
 """Numbers of the qualities in a token (rmw, types.h); those that it leaves empty are reliable and volatile."""
 
 _VENDOR = b"\0\0"
-"""No vendor of DDS (RTPS 2.5, 9.3.2)."""
+"""No vendor of DDS (RTPS 2.5, 9.3.2); the name of the session follows, which is one for each process."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -54,9 +54,10 @@ class ZenohEndpoint:
 
     def endpoint(self, host: str) -> Endpoint:
         """As DDS has it, where a service has a topic of its requests; ``host`` is the router over which it is known."""
+        process = _VENDOR + self.session.encode()
         if self.kind == _SERVER:
-            return Endpoint(dds_request_topic(self.name), f"{self.type}Request_", self.quality, _VENDOR, host)
-        return Endpoint(dds_topic(self.name), self.type, self.quality, _VENDOR, host)
+            return Endpoint(dds_request_topic(self.name), f"{self.type}Request_", self.quality, process, host)
+        return Endpoint(dds_topic(self.name), self.type, self.quality, process, host)
 
 
 def topic_key(domain: str, name: str, type_name: str, type_hash: str) -> str:

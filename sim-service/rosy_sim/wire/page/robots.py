@@ -75,7 +75,8 @@ class Seen(msgspec.Struct, tag="seen", tag_field="op"):
 class Nearby(msgspec.Struct, omit_defaults=True):
     """
     A robot that was discovered: what it is, its domain of ROS 2, its battery, of which a robot reports the charge (%),
-    the voltage (V) or nothing, and whether it speaks Zenoh in place of DDS.
+    the voltage (V) or nothing, whether it speaks Zenoh in place of DDS, and whether several robots are there that
+    nothing tells apart.
     """
 
     title: str
@@ -83,6 +84,7 @@ class Nearby(msgspec.Struct, omit_defaults=True):
     charge: int | None = None
     volts: float | None = None
     zenoh: bool = False
+    several: bool = False
 
 
 class RobotName(msgspec.Struct, omit_defaults=True):

@@ -47,13 +47,18 @@ async function embedded(rule: CSSFontFaceRule): Promise<string> {
   if (address === undefined) return ""
   try {
     const base = rule.parentStyleSheet?.href ?? document.baseURI
-    const font = await (await fetch(new URL(address, base))).blob()
+    // The build puts small fonts into the style sheet, and the page may request nothing but files of its service.
+    const font = address.startsWith("data:") ? address : await fetched(new URL(address, base))
     const family = rule.style.getPropertyValue("font-family")
     const weight = rule.style.getPropertyValue("font-weight")
-    return `@font-face{font-family:${family};font-weight:${weight};src:url(${await dataUrl(font)})}`
+    return `@font-face{font-family:${family};font-weight:${weight};src:url(${font})}`
   } catch {
     return ""
   }
+}
+
+async function fetched(address: URL): Promise<string> {
+  return dataUrl(await (await fetch(address)).blob())
 }
 
 function dataUrl(blob: Blob): Promise<string> {
