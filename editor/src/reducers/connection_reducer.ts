@@ -4,6 +4,7 @@ import {conflictShown} from "@rosy/codegen"
 import {blockFinding, locateProblem} from "../program/program.ts"
 import {reduceLesson, watchedNow} from "../state/lesson_state.ts"
 import type {ServiceMessage} from "../state/messages/messages.ts"
+import {hearFixPreview} from "../state/messages/fix_previews.ts"
 import {hearPreview, noPreview} from "../state/messages/preview.ts"
 import type {PageState} from "../state/page_state.ts"
 import {
@@ -94,7 +95,8 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
     }
     case "previewed": {
       const preview = hearPreview(state.room.preview, message.preview)
-      return still({...state, room: {...state.room, preview}})
+      const fixPreviews = hearFixPreview(state.room.fixPreviews, message.preview)
+      return still({...state, room: {...state.room, preview, fixPreviews}})
     }
     case "diverged":
       return still(withDivergence(state, message))

@@ -17,6 +17,7 @@ import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
 import {type LessonsState, noLessons} from "./lesson_state.ts"
+import type {OfferedFixes} from "./messages/fix_previews.ts"
 import type {RecordedFile, Speed, WorkerState} from "./messages/messages.ts"
 import {noQuestion, type WhyState} from "./messages/why_state.ts"
 import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
@@ -147,6 +148,8 @@ export interface PageState {
   readonly numberDrag: NumberDrag
   /// The newest question for a preview; an answer to an older one is dropped.
   readonly previews: number
+  /// The lists of fixes that can be seen.
+  readonly offeredFixes: readonly OfferedFixes[]
   /// Whether previews are shown.
   readonly previewing: boolean
   /// Whether blocks and text show the values of the displayed moment.
@@ -273,6 +276,7 @@ export const initialState: PageState = {
   checks: 0,
   numberDrag: null,
   previews: 0,
+  offeredFixes: [],
   previewing: true,
   valuesShown: false,
   seed: null,

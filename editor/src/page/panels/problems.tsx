@@ -1,6 +1,7 @@
 /// Problems panel: a card per problem with its reason, its fixes, and a link to the block or text it concerns.
 
 import type {VNode} from "preact"
+import {FixList} from "../../features/preview/fix_list.tsx"
 import {guidePageOfProblem} from "../../help/guide_links.ts"
 import {type Finding, isOverlapping} from "../../program/program.ts"
 import type {PageState} from "../../state/page_state.ts"
@@ -93,12 +94,8 @@ function Card({finding}: {finding: Finding}): VNode {
           {words.givenInputs} <code>{finding.inputs.join(", ")}</code>.
         </p>
       )}
+      {fixes.length > 0 && <FixList fixes={fixes} drops={finding.conflict !== undefined} />}
       <div class="actions">
-        {fixes.map(fix => (
-          <button type="button" key={fix.title} class="fix" onClick={() => desk.applyFix(fix)}>
-            {fix.title}
-          </button>
-        ))}
         {place && (
           <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
             {words.showIt}
