@@ -3,8 +3,8 @@
 import {conflictShown} from "@rosy/codegen"
 import {blockFinding, locateProblem} from "../program/program.ts"
 import {reduceLesson, watchedNow} from "../state/lesson_state.ts"
-import type {ServiceMessage} from "../state/messages/messages.ts"
 import {hearFixPreview} from "../state/messages/fix_previews.ts"
+import type {ServiceMessage} from "../state/messages/messages.ts"
 import {hearPreview, noPreview} from "../state/messages/preview.ts"
 import type {PageState} from "../state/page_state.ts"
 import {

@@ -14,7 +14,12 @@ export const previewsFixes = (state: PageState): boolean =>
   computesPreviews(state) && state.accepted && state.pendingText === null
 
 /// Asks for the next preview. A change of the program drops the answers; what the service answers to an older question is not used.
-export function withFixPreviews({state, effects}: Transition): Transition {
+export function withFixPreviews(old: PageState, {state, effects: others}: Transition): Transition {
+  // The way out of a conflict is likely to be looked at: a process that computes previews takes two seconds to start.
+  const begins = hasConflict(state) && !hasConflict(old) && computesPreviews(state)
+  const effects: readonly Effect[] = begins
+    ? [...others, {kind: "send", message: {op: "prepare-previews"}}]
+    : others
   const text = state.document.program.text
   const before = state.room.fixPreviews
   if (!previewsFixes(state)) {
@@ -38,6 +43,8 @@ export function withFixPreviews({state, effects}: Transition): Transition {
     effects: [...effects, request],
   }
 }
+
+const hasConflict = ({document}: PageState) => document.findings.some(f => f.conflict !== undefined)
 
 const withAnswers = (state: PageState, fixPreviews: PageState["room"]["fixPreviews"]): PageState => ({
   ...state,

@@ -17,7 +17,7 @@ import {reduceViewEvent} from "./view_reducer.ts"
 import {reduceWorldEvent} from "./world_reducer.ts"
 
 export function reduce(state: PageState, event: PageEvent): Transition {
-  return withFixPreviews(withPreview(state, next(state, event)))
+  return withFixPreviews(state, withPreview(state, next(state, event)))
 }
 
 /// Hands the event to the reducer of its topic.

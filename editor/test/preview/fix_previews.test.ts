@@ -7,6 +7,7 @@ import type {ServiceMessage} from "../../src/state/messages/messages.ts"
 import type {Preview} from "../../src/state/messages/preview.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
+import {finding} from "../state/finding.ts"
 
 const documentOf = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})
 const hear = (message: ServiceMessage): PageEvent => ({kind: "heard", message})
@@ -80,6 +81,19 @@ describe("previews of fixes are asked for", () => {
   it("not without the service", () => {
     expect(play({kind: "link-lost"}, shown(["a"])).asked).toEqual([])
   })
+})
+
+it("a process that computes them is wanted when a conflict appears, once", () => {
+  const {program, ...rest} = documentOf("new")
+  const conflict = {command: "Velocity", winner: "drive", loser: "backOff"}
+  const document = {...rest, program, findings: [finding({severity: "warning", kind: "conflict", conflict})]}
+  const wanted = (state: PageState) => {
+    const step = reduce(state, {kind: "program-changed", document, by: "blocks", at: 0})
+    return {state: step.state, ops: step.effects.flatMap(e => (e.kind === "send" ? [e.message.op] : []))}
+  }
+  const first = wanted(play().state)
+  expect(first.ops).toContain("prepare-previews")
+  expect(wanted(first.state).ops).not.toContain("prepare-previews")
 })
 
 describe("answers", () => {

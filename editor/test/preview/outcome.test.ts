@@ -37,7 +37,9 @@ describe("the outcome of a path, and its sentence", () => {
     ["a whole turn and a bit", preview(stands, [], {theta: 2 * Math.PI + 0.1}), {stands: false}, "turns on the spot"],
     ["driving", preview(drives), {distance: 3, bumps: 0, stands: false}, "drives 3 m without a bump"],
     ["a way around a corner", preview([[0, 0, 0], [1, 3, 0], [2, 3, 4]]), {distance: 7}, "drives 7 m without a bump"],
-    ["the wall", preview(toWall, bumpsAt([4])), {bumps: 1, onward: null, trembles: false}, "bumps once, stays there"],
+    ["the wall", preview(toWall, bumpsAt([4])), {bumps: 1, onward: null, sticks: true, trembles: false}, "bumps once, stays there"],
+    ["a bump in the last moment", preview(toWall, bumpsAt([9.9])), {sticks: false}, "bumps once"],
+    ["there and back", preview([...toWall, [5, 1, 0], [9.8, 2, 0]], bumpsAt([4])), {sticks: false}, "bumps once"],
     ["back", preview([...toWall, [8, 1, 0]], bumpsAt([4])), {bumps: 1, onward: "left"}, "bumps once, drives on to the left"],
     ["on", preview([...toWall, [8, 2.1, 1]], bumpsAt([4])), {onward: "up"}, "bumps once, drives on upwards"],
     ["two walls", preview([...toWall, [8, 2, -1]], [[2, 0, 0], [4, 2, 0]]), {bumps: 2, onward: "down"}, "bumps twice, drives on downwards"],
@@ -70,16 +72,20 @@ describe("the outcome of a path, and its sentence", () => {
 const still = outcomeOf(preview(stands), 0)
 const free = outcomeOf(preview(drives), 0)
 const once = outcomeOf(preview([...toWall, [8, 1, 0]], bumpsAt([4])), 0)
-const thrice = outcomeOf(preview(toWall, bumpsAt([2, 5, 8])), 0)
-const trembling = outcomeOf(preview(toWall, bumpsAt([4, 4.4, 4.8, 5.2])), 0)
+const thrice = outcomeOf(preview(toWall, bumpsAt([2, 5, 9.5])), 0)
+const sticking = outcomeOf(preview(toWall, bumpsAt([4])), 0)
+const trembling = outcomeOf(preview(toWall, bumpsAt([8.4, 8.8, 9.2, 9.6])), 0)
 const failing = outcomeOf(preview(drives, [], {ended: "error", time: 3}), 0)
-const reaching = outcomeOf(preview(toWall, bumpsAt([2, 5, 8]), {goals: [done]}), 0)
+const reaching = outcomeOf(preview(toWall, bumpsAt([2, 5, 9.5]), {goals: [done]}), 0)
 
 describe("a way out is better than the program", () => {
   it.each([
     ["fewer bumps", once, thrice, true],
     ["the same bumps", thrice, thrice, false],
     ["more bumps", thrice, once, false],
+    ["it does not stay at the wall", thrice, sticking, true],
+    ["it stays at the wall", sticking, thrice, false],
+    ["it trembles instead of staying at the wall", trembling, sticking, false],
     ["no trembling", thrice, trembling, true],
     ["the same trembling", trembling, trembling, false],
     ["trembling", trembling, free, false],

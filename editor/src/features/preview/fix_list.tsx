@@ -1,7 +1,7 @@
 /// List of the fixes of a problem: each with a picture of the path that it gives and what happens there, the best first. As long as the service gives no previews,
 /// plain buttons in their own order.
 
-import {type RefObject, type VNode} from "preact"
+import type {RefObject, VNode} from "preact"
 import {useEffect, useId, useLayoutEffect, useRef, useState} from "preact/hooks"
 import {type Fix, fixChanges} from "../../program/program.ts"
 import {applyChanges} from "../../program/text_changes.ts"

@@ -13,7 +13,9 @@ export interface Outcome {
   readonly trembles: boolean
   /// It neither drives nor turns.
   readonly stands: boolean
-  /// Where it ends, seen from its last bump; `null` without a bump, and where it stays there.
+  /// It stays where it bumped last.
+  readonly sticks: boolean
+  /// Where it ends, seen from its last bump; `null` without a bump, and near to it.
   readonly onward: Onward | null
   /// Goals that are reached.
   readonly goals: number
@@ -30,7 +32,10 @@ const leastTurn = 0.02
 /// So many bumps in a row, each within this time (s) and distance (m) of the one before, are a trembling.
 const trembling = {bumps: 4, time: 1, distance: 0.15}
 
-/// Nearer to the last bump than this the robot stays there, m.
+/// A robot that for so long (s) has not gone so far (m) from its last bump sticks there. A bump may push it a little.
+const sticking = {time: 1, distance: 0.05}
+
+/// Nearer to its last bump than this the robot is on no side of it, m.
 const away = 0.1
 
 /// `start` is the angle of the robot at the start, rad.
@@ -43,6 +48,7 @@ export function outcomeOf(preview: Preview, start: number): Outcome {
     distance,
     trembles: isTrembling(collisions),
     stands: distance < leastPath && turned < leastTurn / 2,
+    sticks: isSticking(preview),
     onward: onwardOf(preview),
     goals: goals.filter(goal => goal.state === "done").length,
     fails: ended === "error" || ended === "stuck" ? time : null,
@@ -68,6 +74,12 @@ function isTrembling(bumps: readonly PathPoint[]): boolean {
   })
 }
 
+function isSticking({path, collisions, time}: Preview): boolean {
+  const last = collisions.at(-1)
+  if (last === undefined || time - last.time < sticking.time) return false
+  return path.every(point => point.time <= last.time || apart(last, point) < sticking.distance)
+}
+
 function onwardOf({collisions, x, y}: Preview): Onward | null {
   const last = collisions.at(-1)
   if (last === undefined || apart(last, {x, y}) < away) return null
@@ -76,13 +88,15 @@ function onwardOf({collisions, x, y}: Preview): Onward | null {
   return dy < 0 ? "down" : "up"
 }
 
-/// Negative when `a` is better: it reaches more goals, does not fail, moves, does not tremble, bumps less often, drives further.
+/// Negative when `a` is better: it reaches more goals, does not fail, moves, does not tremble, does not stick, bumps less often, drives
+/// further.
 export function compareOutcomes(a: Outcome, b: Outcome): number {
-  const ranks = [a, b].map(({goals, fails, stands, trembles, bumps, distance}) => [
+  const ranks = [a, b].map(({goals, fails, stands, trembles, sticks, bumps, distance}) => [
     -goals,
     fails === null ? 0 : 1,
     stands ? 1 : 0,
     trembles ? 1 : 0,
+    sticks ? 1 : 0,
     bumps,
     -Math.round(10 * distance),
   ])
@@ -96,5 +110,6 @@ export function isBetter(way: Outcome, program: Outcome): boolean {
   if (program.stands || way.goals > program.goals) return true
   if ((way.fails === null) !== (program.fails === null)) return way.fails === null
   if (way.trembles !== program.trembles) return program.trembles
+  if (way.sticks !== program.sticks) return program.sticks
   return way.bumps < program.bumps || (way.bumps === 0 && program.bumps === 0)
 }

@@ -18,12 +18,15 @@ export function outcomeSentence(
 }
 
 function motion(
-  {bumps, distance, trembles, stands, onward}: Outcome,
+  {bumps, distance, trembles, stands, sticks, onward}: Outcome,
   words: (typeof english)["preview"]["outcome"],
   measures: Measures,
 ): string {
   if (trembles) return words.trembles(bumps)
   if (stands) return words.stands
-  if (bumps > 0) return `${words.bumps(bumps)}, ${onward === null ? words.stays : words.onward[onward]}`
+  if (bumps > 0) {
+    const next = sticks ? words.stays : onward === null ? null : words.onward[onward]
+    return next === null ? words.bumps(bumps) : `${words.bumps(bumps)}, ${next}`
+  }
   return distance < 0.03 ? words.turns : words.drives(distanceOf(distance, measures))
 }

@@ -76,6 +76,7 @@ function Card({finding}: {finding: Finding}): VNode {
     ...finding.fixes,
     ...conflictFixes(document, finding),
   ]
+  const list = fixes.length > 0 && <FixList fixes={fixes} drops={finding.conflict !== undefined} />
   const place = finding.block !== null || finding.range !== null
   const more = guidePageOfProblem(finding.kind)
   return (
@@ -84,6 +85,7 @@ function Card({finding}: {finding: Finding}): VNode {
         <TextWithCode text={idle?.message ?? finding.message} strong={finding.function} />
         {finding.time !== null && <span class="quiet"> {words.atTime(finding.time)}</span>}
       </p>
+      {finding.conflict !== undefined && list}
       {finding.hint !== "" && idle === undefined && (
         <p class="quiet">
           <TextWithCode text={finding.hint} strong={null} />
@@ -94,7 +96,7 @@ function Card({finding}: {finding: Finding}): VNode {
           {words.givenInputs} <code>{finding.inputs.join(", ")}</code>.
         </p>
       )}
-      {fixes.length > 0 && <FixList fixes={fixes} drops={finding.conflict !== undefined} />}
+      {finding.conflict === undefined && list}
       <div class="actions">
         {place && (
           <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
