@@ -20,7 +20,7 @@ import {type Origin, type ProgramLoader, programInAddress} from "./programs/prog
 import {linkedProject} from "./programs/sharing.ts"
 
 /// The program of a new learner.
-const firstExample = "accelerateAndPlay"
+const firstExample = "accelerate"
 
 interface ExampleOptions extends Origin {
   /// Whether the address names the example while it is unchanged.
@@ -84,7 +84,10 @@ export function programRequests(
     const last = stored.current()
     if (last !== null)
       loader.openText(words.yourProgram, last.text, {id: last.id, reloaded: true, isFirst: true})
-    else await openExample(firstExample, {welcome: true, reloaded: true, isFirst: true, inAddress: false})
+    else {
+      const origin = {welcome: true, isFirstVisit: true, reloaded: true, isFirst: true}
+      await openExample(firstExample, {...origin, inAddress: false})
+    }
   }
   const openFirst = async (): Promise<FirstProgram> => {
     if (!requests.isFirstWanted()) return "chosen"

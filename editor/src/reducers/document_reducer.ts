@@ -80,6 +80,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     accepted: false,
     selected: null,
     welcome: opened.welcome ? "fresh" : "over",
+    welcoming: opened.isFirstVisit === true,
     refused: null,
     speed: opened.isNew ? 1 : state.speed,
     dialog: opened.isFirst ? state.dialog : null,

@@ -133,6 +133,7 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
     lines: [],
     findings: {...state.findings, run: []},
     welcome: state.welcome === "fresh" ? "ran" : state.welcome,
+    welcoming: false,
     tab: state.tab === "problems" ? "console" : state.tab,
     notice: null,
     region: state.size === "phone" ? "room" : state.region,

@@ -64,6 +64,10 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, trail: event.trail}
     case "all-events":
       return {...state, allEvents: event.allEvents}
+    case "welcoming":
+      return {...state, welcoming: event.welcoming}
+    case "demonstration":
+      return {...state, demonstration: event.step}
     case "fixes-offered":
       return {...state, offeredFixes: withOffered(state.offeredFixes, event.offered)}
     case "preview-late":

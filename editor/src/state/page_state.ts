@@ -203,6 +203,10 @@ export interface PageState {
   /// The offset of the cursor in the text that selected it; `null` when it was selected elsewhere.
   readonly cursor: number | null
   readonly welcome: "fresh" | "ran" | "over"
+  /// A new learner is asked how to begin.
+  readonly welcoming: boolean
+  /// The step of the demonstration that is shown; `null` while there is none.
+  readonly demonstration: number | null
   readonly gallery: Gallery
   readonly dialog:
     | "gallery"
@@ -302,6 +306,8 @@ export const initialState: PageState = {
   selectedIn: "blocks",
   cursor: null,
   welcome: "over",
+  welcoming: false,
+  demonstration: null,
   gallery: {kind: "unasked"},
   dialog: null,
   shared: null,
