@@ -84,3 +84,26 @@ describe("another tab stored the open program", () => {
     expect(during.state.worldName).toBe(initialState.worldName)
   })
 })
+
+describe("a new learner is asked how to begin", () => {
+  const opened = (isFirstVisit: boolean): PageEvent => ({
+    kind: "opened",
+    opened: {
+      name: "",
+      world: null,
+      document,
+      history: emptyHistory,
+      welcome: true,
+      isNew: false,
+      isFirstVisit,
+    },
+  })
+  const after = (...events: readonly PageEvent[]) => play(initialState, ...events).state.welcoming
+  it("on the first visit, until another program is opened, run, or the question is closed", () => {
+    expect(after(opened(true))).toBe(true)
+    expect(after(opened(false))).toBe(false)
+    expect(after(opened(true), opened(false))).toBe(false)
+    expect(after(opened(true), {kind: "run-pressed", seed: 1})).toBe(false)
+    expect(after(opened(true), {kind: "welcoming", welcoming: false})).toBe(false)
+  })
+})

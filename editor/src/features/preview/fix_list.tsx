@@ -110,7 +110,7 @@ function PathPicture({preview}: {readonly preview: Preview | null}): VNode {
     const places = (points: Preview["path"]) => points.map(({x, y}) => [x, y] as const)
     drawThumbnail(canvas.current, world, places(preview.path), places(preview.collisions))
   }, [preview, world])
-  return <canvas ref={canvas} aria-hidden="true" />
+  return <canvas ref={canvas} />
 }
 
 /// Whether a part of the element can be seen.
