@@ -106,8 +106,7 @@ export function programRequests(
       return "other"
     }
     if (example !== null) {
-      const origin = {welcome: example === firstExample, reloaded: true, isFirst: true}
-      if (await openExample(example, origin)) return "other"
+      if (await openExample(example, {reloaded: true, isFirst: true})) return "other"
       if (!requests.isFirstWanted()) return "chosen"
     }
     // The link or the example is missing: the last program is opened, and the notice about the missing one is kept.

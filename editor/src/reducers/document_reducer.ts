@@ -133,7 +133,6 @@ function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Tran
     ...changed,
     // What the compiler said stands, moved along, until it has read the new text: marks do not flicker while typing.
     findings: {compiler: state.findings.compiler.map(moved(changes)), run: []},
-    welcome: state.welcome === "ran" ? "over" : state.welcome,
   })
 }
 

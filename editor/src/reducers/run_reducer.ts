@@ -132,7 +132,7 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
     why: reduceWhy(state.why, {kind: "closed"}).state,
     lines: [],
     findings: {...state.findings, run: []},
-    welcome: state.welcome === "fresh" ? "ran" : state.welcome,
+    welcome: state.welcome === "fresh" ? "ran" : "over",
     welcoming: false,
     tab: state.tab === "problems" ? "console" : state.tab,
     notice: null,

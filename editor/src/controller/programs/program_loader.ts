@@ -159,6 +159,7 @@ export function openProgramLoader(
     if (!reloaded || !restoreReadingPosition(store, parts, stored, editor)) {
       editor.showBlocks()
       parts.blocks?.goToStart(inLesson)
+      parts.room?.whole()
     }
   }
   const deferral = deferOpening(() => parts.reader)

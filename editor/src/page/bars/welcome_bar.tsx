@@ -1,6 +1,8 @@
-/// Welcome bar of a first visit: four ways to begin, each in one sentence; while the demonstration is shown, what it shows.
+/// Welcome bar of a first visit: four ways to begin, each in one sentence; while the demonstration is shown, what it shows; after the first run an
+/// invitation to change something.
 
 import type {VNode} from "preact"
+import {isActive} from "../../state/runs/run_state.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {CloseIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
@@ -24,7 +26,7 @@ export function WelcomeBar(): VNode | null {
         </button>
       </section>
     )
-  if (!isAsking) return null
+  if (!isAsking) return <Invitation />
   const choices = [
     {...show, choose: () => desk.demonstrate()},
     {...lesson, choose: () => desk.openLesson(firstLesson)},
@@ -52,6 +54,26 @@ export function WelcomeBar(): VNode | null {
       >
         <CloseIcon />
       </button>
+    </section>
+  )
+}
+
+/// Invitation after the first run of a new learner, until the next one: what to try next.
+function Invitation(): VNode | null {
+  const {change, from, to, into, after} = words.invite
+  const isShown = usePageState(
+    s =>
+      s.welcome === "ran" &&
+      s.room.goals.length === 0 &&
+      (isActive(s.run) || s.run.kind === "ended") &&
+      s.room.source?.includes(` ${from} `) === true,
+  )
+  if (!isShown) return null
+  return (
+    <section class="welcome" aria-label={words.run}>
+      <p aria-live="polite">
+        {change} <code>{from}</code> {to} <code>{into}</code> {after}
+      </p>
     </section>
   )
 }
