@@ -195,7 +195,8 @@ function withRunState(state: PageState, message: Message<"state">): PageState {
 function withFrame(state: PageState, {frame}: Message<"frame">): PageState {
   if (!isShown(state.room, frame.run)) return state
   let {lines} = state
-  for (const text of frame.sensed) lines = addLine(lines, "sensed", text, frame.time)
+  for (const [i, text] of frame.sensed.entries())
+    lines = addLine(lines, "sensed", text, frame.times?.[i] ?? frame.time)
   return {...state, room: addFrame(state.room, frame), lines}
 }
 
