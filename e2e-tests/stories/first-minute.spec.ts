@@ -10,13 +10,24 @@ test.use({
   launchOptions: async ({launchOptions}, use) => use({...launchOptions, executablePath: wholeChromium}),
 })
 
-test("the page opens with accelerateAndPlay ready to run", async ({page}) => {
+test("the page opens with a program that is ready to run and no Maybe in it, and asks how to begin", async ({
+  page,
+}) => {
   const learner = new Learner(page)
   await page.goto("/")
-  await expect(learner.haskell()).toContainText("play :: Bumper -> Maybe Sound")
-  await expect(page.getByRole("textbox", {name: "Name of the program"})).toHaveValue("accelerateAndPlay")
+  await expect(learner.haskell()).toContainText("main = simulate accelerate")
+  await expect(learner.haskell()).not.toContainText("Maybe")
   await expect(learner.runButton()).toHaveText("Run")
+  const ways = page.getByRole("region", {name: "How do you want to begin?"})
+  await expect(ways.getByRole("listitem")).toHaveCount(4)
   await learner.keeps("first-look")
+  await ways.getByRole("button", {name: "Show me"}).click()
+  await expect(page.getByTestId("demonstration")).toContainText("an empty program")
+  await expect(learner.haskell()).toContainText("main = simulate _")
+  await page.getByRole("button", {name: "Stop showing"}).click()
+  await ways.getByRole("button", {name: "Lesson 1"}).click()
+  await expect(page.getByRole("complementary", {name: "Lesson", exact: true})).toBeVisible()
+  await expect(ways).toHaveCount(0)
 })
 
 test("Run drives the robot into the wall; the bumper lights up and the error sound plays", async ({page}) => {

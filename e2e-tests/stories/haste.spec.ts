@@ -81,7 +81,7 @@ async function holdsBack(page: Page, example: string): Promise<() => void> {
 
 test("nobody writes or builds where the first program is about to stand", async ({page}) => {
   const learner = new Learner(page)
-  const comes = await holdsBack(page, "accelerateAndPlay")
+  const comes = await holdsBack(page, "accelerate")
   await page.goto("/")
   await learner.haskell().click()
   await page.keyboard.type("abc")

@@ -76,6 +76,10 @@ for (const size of sizes)
       const card = page.getByTestId("problems").getByRole("article")
       await expect(card).toHaveCount(1)
       await expect(card).toContainText("both set the velocity, and")
+      // The way out is shown before it is chosen.
+      await expect(card.getByRole("list", {name: "Ways to mend it"})).toContainText(
+        /drives .+ without a bump/,
+      )
       await learner.keeps(`touch-conflict-${size.width}`)
       for (const button of await card.getByRole("button").all())
         expect((await boxAtRest(button)).height).toBeGreaterThanOrEqual(smallestButton)

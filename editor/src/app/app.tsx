@@ -6,6 +6,7 @@ import {RoomTestDialog} from "../features/rooms/room_test_dialog.tsx"
 import {NoticeBar} from "../page/bars/notice_bar.tsx"
 import {RobotBar, RobotsDialog} from "../page/bars/robots.tsx"
 import {BottomBar, TopBar} from "../page/bars/toolbars.tsx"
+import {WelcomeBar} from "../page/bars/welcome_bar.tsx"
 import {GalleryDialog} from "../page/dialogs/galleries.tsx"
 import {MyProgramsDialog} from "../page/dialogs/my_programs.tsx"
 import {ShareDialog} from "../page/dialogs/share_dialog.tsx"
@@ -58,6 +59,7 @@ export function App(): VNode {
         <NoticeBar />
         {/* Class mode renders its bar there (`classroom/pupil/classroom.tsx`). */}
         <div id="class-bar" />
+        <WelcomeBar />
       </div>
       <div class="workplace">
         <LessonRegion />

@@ -6,6 +6,7 @@ import {fetchReader, fetchWorlds} from "../browser/remote_resources.ts"
 import {createStore, type Store} from "../browser/store.ts"
 import type {PageOfClass} from "../classroom/pupil/page_of_class.ts"
 import {openClassMode} from "../controller/class_mode.ts"
+import {openDemonstration} from "../controller/demonstration.ts"
 import {openColourScheme} from "../controller/document/colour_scheme.ts"
 import {openCompletions} from "../controller/document/completion_requests.ts"
 import {documentCommands} from "../controller/document/document_commands.ts"
@@ -41,6 +42,7 @@ import {openProgramStore, type ProgramStore} from "../storage/program_store.ts"
 import type {AppController} from "../ui/app_context.ts"
 import {openClipboard} from "../views/blocks/interaction/clipboard.ts"
 import {openSpeaker} from "../views/room/sound_synthesis.ts"
+import {words} from "../words/index.ts"
 
 export function openController(): AppController {
   const parts = noParts()
@@ -85,6 +87,10 @@ export function openController(): AppController {
     openExample: name => void requests.openExample(name),
     ...myProgramCommands(store, loader, programStore),
     newProgram: loader.newProgram,
+    demonstrate: openDemonstration(store, {
+      show: text => loader.openText(`${words.welcome.demonstration}.hs`, text),
+      run: () => runProgram(store, editor),
+    }),
     openFile: files.openFile,
     openText: loader.openFile,
     openRecording: files.openRecording,

@@ -20,7 +20,7 @@ import {type Origin, type ProgramLoader, programInAddress} from "./programs/prog
 import {linkedProject} from "./programs/sharing.ts"
 
 /// The program of a new learner.
-const firstExample = "accelerateAndPlay"
+const firstExample = "accelerate"
 
 interface ExampleOptions extends Origin {
   /// Whether the address names the example while it is unchanged.
@@ -84,7 +84,10 @@ export function programRequests(
     const last = stored.current()
     if (last !== null)
       loader.openText(words.yourProgram, last.text, {id: last.id, reloaded: true, isFirst: true})
-    else await openExample(firstExample, {welcome: true, reloaded: true, isFirst: true, inAddress: false})
+    else {
+      const origin = {welcome: true, isFirstVisit: true, reloaded: true, isFirst: true}
+      await openExample(firstExample, {...origin, inAddress: false})
+    }
   }
   const openFirst = async (): Promise<FirstProgram> => {
     if (!requests.isFirstWanted()) return "chosen"
@@ -103,8 +106,7 @@ export function programRequests(
       return "other"
     }
     if (example !== null) {
-      const origin = {welcome: example === firstExample, reloaded: true, isFirst: true}
-      if (await openExample(example, origin)) return "other"
+      if (await openExample(example, {reloaded: true, isFirst: true})) return "other"
       if (!requests.isFirstWanted()) return "chosen"
     }
     // The link or the example is missing: the last program is opened, and the notice about the missing one is kept.

@@ -3,6 +3,7 @@
 import {conflictShown} from "@rosy/codegen"
 import {blockFinding, locateProblem} from "../program/program.ts"
 import {reduceLesson, watchedNow} from "../state/lesson_state.ts"
+import {hearFixPreview} from "../state/messages/fix_previews.ts"
 import type {ServiceMessage} from "../state/messages/messages.ts"
 import {hearPreview, noPreview} from "../state/messages/preview.ts"
 import type {PageState} from "../state/page_state.ts"
@@ -94,7 +95,8 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
     }
     case "previewed": {
       const preview = hearPreview(state.room.preview, message.preview)
-      return still({...state, room: {...state.room, preview}})
+      const fixPreviews = hearFixPreview(state.room.fixPreviews, message.preview)
+      return still({...state, room: {...state.room, preview, fixPreviews}})
     }
     case "diverged":
       return still(withDivergence(state, message))
@@ -193,7 +195,8 @@ function withRunState(state: PageState, message: Message<"state">): PageState {
 function withFrame(state: PageState, {frame}: Message<"frame">): PageState {
   if (!isShown(state.room, frame.run)) return state
   let {lines} = state
-  for (const text of frame.sensed) lines = addLine(lines, "sensed", text, frame.time)
+  for (const [i, text] of frame.sensed.entries())
+    lines = addLine(lines, "sensed", text, frame.times?.[i] ?? frame.time)
   return {...state, room: addFrame(state.room, frame), lines}
 }
 

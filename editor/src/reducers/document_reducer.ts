@@ -84,6 +84,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     accepted: false,
     selected: null,
     welcome: opened.welcome ? "fresh" : "over",
+    welcoming: opened.isFirstVisit === true,
     refused: null,
     speed: opened.isNew ? 1 : state.speed,
     dialog: opened.isFirst ? state.dialog : null,
@@ -136,7 +137,6 @@ function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Tran
     ...changed,
     // What the compiler said stands, moved along, until it has read the new text: marks do not flicker while typing.
     findings: {compiler: state.findings.compiler.map(moved(changes)), run: []},
-    welcome: state.welcome === "ran" ? "over" : state.welcome,
   })
 }
 

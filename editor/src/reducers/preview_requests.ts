@@ -5,18 +5,15 @@ import type {PageState} from "../state/page_state.ts"
 import {isActive} from "../state/runs/run_state.ts"
 import type {Effect, Transition} from "../state/transition.ts"
 
-/// Whether the page shows previews now.
-export function mayPreview(state: PageState): boolean {
-  const {run, clock, link, robots, worldEditor, previewing, room} = state
+/// Whether the service computes previews for the page now.
+export function computesPreviews({run, clock, link, robots, worldEditor}: PageState): boolean {
   const stands = !isActive(run) || (run.kind === "running" && clock === "standing")
-  return (
-    previewing &&
-    stands &&
-    link === "open" &&
-    robots.held === null &&
-    worldEditor === null &&
-    room.preview.ran !== null
-  )
+  return stands && link === "open" && robots.held === null && worldEditor === null
+}
+
+/// Whether the page shows previews of the edited program now.
+export function mayPreview(state: PageState): boolean {
+  return state.previewing && computesPreviews(state) && state.room.preview.ran !== null
 }
 
 /// Asks for a preview when the program is another one than at the last question, and forgets the preview when none may be shown. When the page begins to

@@ -7,6 +7,7 @@ import {reduceRobotEvent} from "../state/robot_ownership.ts"
 import {still, type Transition} from "../state/transition.ts"
 import {loseConnection, reduceServiceMessage} from "./connection_reducer.ts"
 import {reduceDocumentEvent} from "./document_reducer.ts"
+import {withFixPreviews} from "./fix_preview_requests.ts"
 import {withPreview} from "./preview_requests.ts"
 import {reduceRecording} from "./recording_reducer.ts"
 import {explain, withDraftRoom, withLessons} from "./request_reducer.ts"
@@ -16,7 +17,7 @@ import {reduceViewEvent} from "./view_reducer.ts"
 import {reduceWorldEvent} from "./world_reducer.ts"
 
 export function reduce(state: PageState, event: PageEvent): Transition {
-  return withPreview(state, next(state, event))
+  return withFixPreviews(state, withPreview(state, next(state, event)))
 }
 
 /// Hands the event to the reducer of its topic.

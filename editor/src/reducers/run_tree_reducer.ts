@@ -1,5 +1,6 @@
 /// Reducer for the run tree: a stored run is shown again, or compared with the shown one. A run that goes on is paused and stored meanwhile. Pure.
 
+import {noFixPreviews} from "../state/messages/fix_previews.ts"
 import {noPreview} from "../state/messages/preview.ts"
 import {reduceWhy} from "../state/messages/why_state.ts"
 import type {RunTreeEvent} from "../state/page_events.ts"
@@ -81,6 +82,7 @@ function showRun(state: PageState, run: number, at: number | null = null): PageS
       held: null,
       lookedAt: at,
       preview: {...noPreview, ran: run === newestRun(state) ? text : null},
+      fixPreviews: noFixPreviews,
     },
     seed,
     lines: kept.lines,

@@ -1,6 +1,7 @@
 /// Reducer for the view: regions, dialogs, galleries, and the learner's settings. Its events send nothing. Pure.
 
 import {withView} from "../state/arrangement.ts"
+import {withOffered} from "../state/messages/fix_previews.ts"
 import {latePreview} from "../state/messages/preview.ts"
 import type {ViewEvent} from "../state/page_events.ts"
 import type {PageState} from "../state/page_state.ts"
@@ -63,6 +64,12 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, trail: event.trail}
     case "all-events":
       return {...state, allEvents: event.allEvents}
+    case "welcoming":
+      return {...state, welcoming: event.welcoming}
+    case "demonstration":
+      return {...state, demonstration: event.step}
+    case "fixes-offered":
+      return {...state, offeredFixes: withOffered(state.offeredFixes, event.offered)}
     case "preview-late":
       return {...state, room: {...state.room, preview: latePreview(state.room.preview, event.id)}}
     case "previewing":

@@ -1,6 +1,7 @@
 /// Reducer for the room: a chosen room, a room of a test, the room editor, files of rooms. Pure.
 
 import {withoutMark} from "@rosy/codegen/text-file"
+import {noFixPreviews} from "../state/messages/fix_previews.ts"
 import type {WorldEvent} from "../state/page_events.ts"
 import {isTestRoomShown, type PageState} from "../state/page_state.ts"
 import {clearRoom} from "../state/runs/room_state.ts"
@@ -104,7 +105,7 @@ export function inWorld(state: PageState, world: World): PageState {
   const known = state.room.world
   const same = known !== null && known.name === world.name && `${known.size}` === `${world.size}`
   const follows = same ? state.follows : isLarge(world)
-  return {...state, follows, room: {...state.room, world, idle: true}}
+  return {...state, follows, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
 }
 
 /// Makes a world the room, and saves it with the program.

@@ -8,6 +8,7 @@ import type {WorldEdit} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import type {Arrangement, Region, View} from "./arrangement.ts"
 import type {LessonEvent} from "./lesson_state.ts"
+import type {OfferedFixes} from "./messages/fix_previews.ts"
 import type {Hand, ServiceMessage, Speed} from "./messages/messages.ts"
 import type {WhyEvent} from "./messages/why_state.ts"
 import type {
@@ -38,6 +39,8 @@ export interface Opened {
   readonly history: History
   /// The first program of a new learner: Run pulses once, and after the first run a line invites to change a number.
   readonly welcome: boolean
+  /// There was no program on this page before: the learner is asked how to begin.
+  readonly isFirstVisit?: boolean
   /// A new program: it opens at the usual speed.
   readonly isNew: boolean
   /// It belongs to the open lesson, which stays open.
@@ -174,6 +177,11 @@ export type ViewEvent =
   | {readonly kind: "trail"; readonly trail: TrailStyle}
   | {readonly kind: "all-events"; readonly allEvents: boolean}
   | {readonly kind: "previewing"; readonly previewing: boolean}
+  | {readonly kind: "welcoming"; readonly welcoming: boolean}
+  /// The demonstration shows another step, or has ended.
+  | {readonly kind: "demonstration"; readonly step: number | null}
+  /// A list of fixes can be seen, or can no longer be: then it has no texts.
+  | {readonly kind: "fixes-offered"; readonly offered: OfferedFixes}
   /// A while has passed since this question for a preview.
   | {readonly kind: "preview-late"; readonly id: number}
   | {readonly kind: "follows"; readonly follows: boolean}

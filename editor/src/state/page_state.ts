@@ -17,6 +17,7 @@ import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
 import {type Arrangement, firstArrangement, type Region} from "./arrangement.ts"
 import {type LessonsState, noLessons} from "./lesson_state.ts"
+import type {OfferedFixes} from "./messages/fix_previews.ts"
 import type {RecordedFile, Speed, WorkerState} from "./messages/messages.ts"
 import {noQuestion, type WhyState} from "./messages/why_state.ts"
 import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
@@ -151,6 +152,8 @@ export interface PageState {
   readonly numberDrag: NumberDrag
   /// The newest question for a preview; an answer to an older one is dropped.
   readonly previews: number
+  /// The lists of fixes that can be seen.
+  readonly offeredFixes: readonly OfferedFixes[]
   /// Whether previews are shown.
   readonly previewing: boolean
   /// Whether blocks and text show the values of the displayed moment.
@@ -204,6 +207,10 @@ export interface PageState {
   /// The offset of the cursor in the text that selected it; `null` when it was selected elsewhere.
   readonly cursor: number | null
   readonly welcome: "fresh" | "ran" | "over"
+  /// A new learner is asked how to begin.
+  readonly welcoming: boolean
+  /// The step of the demonstration that is shown; `null` while there is none.
+  readonly demonstration: number | null
   readonly gallery: Gallery
   readonly dialog:
     | "gallery"
@@ -277,6 +284,7 @@ export const initialState: PageState = {
   checks: 0,
   numberDrag: null,
   previews: 0,
+  offeredFixes: [],
   previewing: true,
   valuesShown: false,
   seed: null,
@@ -302,6 +310,8 @@ export const initialState: PageState = {
   selectedIn: "blocks",
   cursor: null,
   welcome: "over",
+  welcoming: false,
+  demonstration: null,
   gallery: {kind: "unasked"},
   dialog: null,
   shared: null,

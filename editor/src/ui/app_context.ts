@@ -73,6 +73,8 @@ export interface AppController {
   readonly lessonEditor: LessonEditorCommands
   readonly myPrograms: MyPrograms
   newProgram(): void
+  /// Builds and runs a program before the learner's eyes; called again, it ends.
+  demonstrate(): void
   openFile(): void
   /// Opens a file that has been read already.
   openText(name: string, content: TextFile): void

@@ -71,7 +71,7 @@ for (const last of ["mine", null])
         if (step === "answer") await answer("chosen")
         await settled()
       }
-      await answer("accelerateAndPlay")
+      await answer("accelerate")
       expect(opened.at(-1)).toBe("chosen")
     })
 

@@ -48,6 +48,11 @@ describe("the room", () => {
     expect(state.lines).toEqual([{kind: "sensed", text: "Bumper CenterBumper Pressed", time: 1.06, count: 2}])
   })
 
+  it("has the time at which the program sensed an event, which a frame may tell later", () => {
+    const late = frame(1, {time: 1.1, sensed: ["Bumper CenterBumper Pressed"], times: [1.06]})
+    expect(play(open, press, running(1), late).state.lines).toMatchObject([{time: 1.06}])
+  })
+
   it("plays sounds unless it is muted", () => {
     const sound = hear({op: "sound", run: 1, time: 1, sound: 4})
     const playing = play(open, press, running(1)).state

@@ -103,3 +103,26 @@ describe("a program that cannot be stored", () => {
     expect(play(open, {kind: "notice", notice}, {kind: "stored", ok: true}).state.notice).toEqual(notice)
   })
 })
+
+describe("a new learner is asked how to begin", () => {
+  const opened = (isFirstVisit: boolean): PageEvent => ({
+    kind: "opened",
+    opened: {
+      name: "",
+      world: null,
+      document,
+      history: emptyHistory,
+      welcome: true,
+      isNew: false,
+      isFirstVisit,
+    },
+  })
+  const after = (...events: readonly PageEvent[]) => play(initialState, ...events).state.welcoming
+  it("on the first visit, until another program is opened, run, or the question is closed", () => {
+    expect(after(opened(true))).toBe(true)
+    expect(after(opened(false))).toBe(false)
+    expect(after(opened(true), opened(false))).toBe(false)
+    expect(after(opened(true), {kind: "run-pressed", seed: 1})).toBe(false)
+    expect(after(opened(true), {kind: "welcoming", welcoming: false})).toBe(false)
+  })
+})

@@ -293,7 +293,7 @@ class RecordedRun(PageRun):
         self._follow(exchange.sent)
         firings = read_firings(done.firings)
         self._view.add_fired(done.fired)
-        self._view.add_sensed(done.sensed)
+        self._view.add_sensed(self._time, done.sensed)
         self._view.add_firings(self._time, firings)
         memory = done.memory if isinstance(done, Settled) else None
         if memory is not None:

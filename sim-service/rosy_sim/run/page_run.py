@@ -53,8 +53,8 @@ class RunView(Protocol):
     def add_fired(self, names: list[str]) -> None:
         """Show these functions with the next frame."""
 
-    def add_sensed(self, texts: list[str]) -> None:
-        """Show the events that the program sensed with the next frame."""
+    def add_sensed(self, time: float, texts: list[str]) -> None:
+        """Show the events that the program sensed at a time, s, with the next frame."""
 
     def add_firings(self, time: float, firings: list[Firing]) -> None:
         """Show these firings of a step, with their provenance, with the next frame."""

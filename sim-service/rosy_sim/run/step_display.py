@@ -98,10 +98,10 @@ class StepDisplay:
         done = lockstep.settled or lockstep.ended
         if done is not None:
             self._view.add_fired(done.fired)
-            self._view.add_sensed(done.sensed)
+            time = _program_time(lockstep)
+            self._view.add_sensed(time, done.sensed)
             if self._view.shows_firings:
-                step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
-                self._view.add_firings(step / STEPS_PER_SECOND, read_firings(done.firings))
+                self._view.add_firings(time, read_firings(done.firings))
 
     def _show_live(self, lockstep: Lockstep) -> None:
         view = self._view
@@ -109,7 +109,7 @@ class StepDisplay:
         for message in lockstep.published:
             self._simulation.on_message(message)
         if lockstep.commands:
-            view.show_output(lockstep.time, lockstep.said(), lockstep.sounds())
+            view.show_output(_program_time(lockstep), lockstep.said(), lockstep.sounds())
         self._simulation.on_safety(lockstep.is_overridden, lockstep.time)
         for conflict in lockstep.conflicts:
             view.show_conflict(lockstep.time, conflict)
@@ -119,3 +119,9 @@ class StepDisplay:
         view.show_frame(force=self.paused)
         if lockstep.has_goals:
             view.show_goals(lockstep.goals.states)
+
+
+def _program_time(lockstep: Lockstep) -> float:
+    """When the program did what it did in the step that has just been made, s: the world is one step further."""
+    step = lockstep.settled.step if lockstep.settled is not None else lockstep.step
+    return step / STEPS_PER_SECOND

@@ -105,6 +105,8 @@ class World:
         # Buttons that are pressed and wheels that are lifted, as bits.
         self._buttons = 0
         self._lifted = 0
+        # The buttons as they are left once the robot has sensed them: it senses each press, however short.
+        self._next_buttons = 0
         # Bits of the last sense(); the first reference is all zero, as in the driver.
         self._sensed = SensorBits()
         self._announced = False
@@ -175,6 +177,7 @@ class World:
             now = self.sensors
             found = self.robot.changes(self._sensed, now)
             self._sensed = now
+            self._buttons = self._next_buttons
         first = not self._announced
         self._announced = True
         if self._scanner is not None and self._scanner.heard:
@@ -304,7 +307,10 @@ class World:
         match action:
             case Press(button, down):
                 bit = 1 << button
-                self._buttons = self._buttons | bit if down else self._buttons & ~bit
+                is_sensed = (self._buttons ^ self._sensed.buttons) & bit == 0
+                self._next_buttons = self._next_buttons | bit if down else self._next_buttons & ~bit
+                if is_sensed:
+                    self._buttons = self._buttons & ~bit | self._next_buttons & bit
             case Lift(side, up):
                 wheels = _LIFTED[side]
                 self._lifted = self._lifted | wheels if up else self._lifted & ~wheels

@@ -63,6 +63,17 @@ def test_a_page_gets_as_many_frames_as_its_user_can_see(visible: page.Visible | 
     assert most - 3 <= len(sent.frames) <= most
 
 
+def test_a_frame_tells_when_the_program_sensed_each_event() -> None:
+    sent = Sent()
+    view = PageView(sent, Room({}, hall()), FrameRate(60.0, Lateness()), Clock().time)
+    view.add_sensed(0.06, ["Bumper CenterBumper Pressed"])
+    view.add_sensed(0.08, ["Bumper LeftBumper Pressed", "Button Button0 Pressed"])
+    view.show_frame(force=True)
+    view.show_frame(force=True)
+    assert [frame.times for frame in sent.frames] == [[0.06, 0.08, 0.08], None]
+    assert len(sent.frames[0].sensed) == 3
+
+
 def test_frames_tell_all_channels_at_the_start_of_a_run_and_then_what_differs() -> None:
     clock, sent, world = Clock(), Sent(), hall()
     view = PageView(sent, Room({}, world), FrameRate(60.0, Lateness()), clock.time)

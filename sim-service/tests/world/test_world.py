@@ -376,6 +376,32 @@ def test_events_of_one_packet_come_in_kobukis_order() -> None:
     assert events_of(world) == []
 
 
+@pytest.mark.parametrize(
+    ("changes", "sensed"),
+    [
+        # A click between two steps.
+        ([[True, False]], [[1], [0], []]),
+        ([[True], [False]], [[1], [0], []]),
+        # Let go and pressed again between two steps.
+        ([[True], [False, True]], [[1], [0], [1], []]),
+        ([[True, False], [], [True, False]], [[1], [0], [1], [0], []]),
+        # More clicks than a robot can sense are one.
+        ([[True, False, True, False]], [[1], [0], []]),
+        ([[False]], [[], []]),
+    ],
+)
+def test_a_press_is_sensed_however_short_it_is(changes: list[list[bool]], sensed: list[list[int]]) -> None:
+    world = hall()
+    world.sense()
+    found = []
+    for step in range(len(sensed)):
+        for down in changes[step] if step < len(changes) else []:
+            world.apply(Press(1, down))
+        found.append([event.values[1] for event in events_of(world)])
+        world.integrate()
+    assert found == sensed
+
+
 def test_a_lifted_robot_does_not_move() -> None:
     world = hall()
     world.apply(Lift("left", True))

@@ -36,6 +36,8 @@ import {orderRequests, type RequestOrder} from "./request_order.ts"
 export interface Origin {
   /// The first program of a new learner.
   readonly welcome?: boolean
+  /// There was no program on this page before.
+  readonly isFirstVisit?: boolean
   /// Its entry in the program store.
   readonly id?: string | null
   /// It belongs to the lesson that is open or being opened.
@@ -118,7 +120,14 @@ export function openProgramLoader(
   })
   const show = (
     opened: OpenedProject,
-    {welcome = false, id = null, reloaded = false, inLesson = false, isFirst = false}: Origin,
+    {
+      welcome = false,
+      isFirstVisit = false,
+      id = null,
+      reloaded = false,
+      inLesson = false,
+      isFirst = false,
+    }: Origin,
   ) => {
     for (const heard of openings) heard()
     // A program that the learner chose and that is still being loaded is opened after the page's own first one.
@@ -138,6 +147,7 @@ export function openProgramLoader(
       document,
       history,
       welcome,
+      isFirstVisit,
       isNew,
       inLesson,
       isFirst,
@@ -149,6 +159,7 @@ export function openProgramLoader(
     if (!reloaded || !restoreReadingPosition(store, parts, stored, editor)) {
       editor.showBlocks()
       parts.blocks?.goToStart(inLesson)
+      parts.room?.whole()
     }
   }
   const deferral = deferOpening(() => parts.reader)

@@ -31,5 +31,5 @@ export function previewSentence(
 }
 
 /// Less than a metre in whole centimetres.
-const distanceOf = (metres: number, measures: Measures): string =>
+export const distanceOf = (metres: number, measures: Measures): string =>
   metres < 1 ? `${measures.short(100 * metres, 0)} cm` : `${measures.short(metres, 1)} m`

@@ -1,6 +1,7 @@
 /// Problems panel: a card per problem with its reason, its fixes, and a link to the block or text it concerns.
 
 import type {VNode} from "preact"
+import {FixList} from "../../features/preview/fix_list.tsx"
 import {guidePageOfProblem} from "../../help/guide_links.ts"
 import {type Finding, isOverlapping} from "../../program/program.ts"
 import type {PageState} from "../../state/page_state.ts"
@@ -75,6 +76,7 @@ function Card({finding}: {finding: Finding}): VNode {
     ...finding.fixes,
     ...conflictFixes(document, finding),
   ]
+  const list = fixes.length > 0 && <FixList fixes={fixes} drops={finding.conflict !== undefined} />
   const place = finding.block !== null || finding.range !== null
   const more = guidePageOfProblem(finding.kind)
   return (
@@ -83,6 +85,7 @@ function Card({finding}: {finding: Finding}): VNode {
         <TextWithCode text={idle?.message ?? finding.message} strong={finding.function} />
         {finding.time !== null && <span class="quiet"> {words.atTime(finding.time)}</span>}
       </p>
+      {finding.conflict !== undefined && list}
       {finding.hint !== "" && idle === undefined && (
         <p class="quiet">
           <TextWithCode text={finding.hint} strong={null} />
@@ -93,12 +96,8 @@ function Card({finding}: {finding: Finding}): VNode {
           {words.givenInputs} <code>{finding.inputs.join(", ")}</code>.
         </p>
       )}
+      {finding.conflict === undefined && list}
       <div class="actions">
-        {fixes.map(fix => (
-          <button type="button" key={fix.title} class="fix" onClick={() => desk.applyFix(fix)}>
-            {fix.title}
-          </button>
-        ))}
         {place && (
           <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
             {words.showIt}

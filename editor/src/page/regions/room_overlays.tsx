@@ -133,18 +133,3 @@ export function Goals(): VNode | null {
     </ul>
   )
 }
-
-/// Invitation after the first run of a new learner: what to try next.
-export function Invitation(): VNode | null {
-  const show = usePageState(
-    s => s.welcome === "ran" && s.room.goals.length === 0 && (isActive(s.run) || s.run.kind === "ended"),
-  )
-  const invites = usePageState(s => s.document.program.text.includes(` ${words.invite.from} `))
-  if (!show || !invites) return null
-  const {change, from, to, into, after} = words.invite
-  return (
-    <p class="invitation">
-      {change} <code>{from}</code> {to} <code>{into}</code> {after}
-    </p>
-  )
-}

@@ -10,7 +10,7 @@ import {words} from "../../words/index.ts"
 import {RoomsDialog} from "../dialogs/galleries.tsx"
 import {CanvasResizeHandle} from "./resize_handle.tsx"
 import {RoomBar} from "./room_bar.tsx"
-import {Goals, Hands, Held, Invitation, Override, Readout} from "./room_overlays.tsx"
+import {Goals, Hands, Held, Override, Readout} from "./room_overlays.tsx"
 import {Tabs} from "./room_tabs.tsx"
 import {RoomViewControls} from "./room_view_controls.tsx"
 import {ContinueBar, TimeBar} from "./time_bar.tsx"
@@ -43,7 +43,6 @@ export function RoomRegion({shown, style}: {shown: boolean; style: CSSProperties
           <Held />
           <Readout />
           <Override />
-          <Invitation />
           <Goals />
           <PreviewNote />
           <TwinNote />

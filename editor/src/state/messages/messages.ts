@@ -14,9 +14,9 @@ import type {Preview} from "./preview.ts"
 import type {Explanation} from "./why_state.ts"
 
 /// One picture of the robot: ground truth in room coordinates, and what its channels say. In a message only what has changed.
-export type Frame = Omit<ShownFrame, "op" | "pose" | "firings"> &
+export type Frame = Omit<ShownFrame, "op" | "pose" | "firings" | "times"> &
   PoseShown &
-  Partial<Pick<ShownFrame, "firings">>
+  Partial<Pick<ShownFrame, "firings" | "times">>
 
 export type LessonChecks = Omit<ChecksShown, "op">
 

@@ -3,6 +3,7 @@
 import type {Branch} from "../../wire/firing.generated.ts"
 import type {Goal} from "../../wire/page/runs.generated.ts"
 import type {World} from "../../worlds/world.ts"
+import {type FixPreviews, noFixPreviews} from "../messages/fix_previews.ts"
 import type {Frame} from "../messages/messages.ts"
 import {noPreview, type PreviewState} from "../messages/preview.ts"
 import {speedOf} from "./channels.ts"
@@ -76,6 +77,8 @@ export interface RoomState {
   readonly idle: boolean
   /// Where the edited program would drive.
   readonly preview: PreviewState
+  /// Where the offered fixes would make it drive.
+  readonly fixPreviews: FixPreviews
 }
 
 export const emptyRoom: RoomState = {
@@ -94,6 +97,7 @@ export const emptyRoom: RoomState = {
   source: null,
   idle: false,
   preview: noPreview,
+  fixPreviews: noFixPreviews,
 }
 
 /// Whether messages about this run are shown.

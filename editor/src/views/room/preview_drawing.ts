@@ -76,7 +76,7 @@ function drawOutline(
   ctx.restore()
 }
 
-function drawMark(
+export function drawMark(
   ctx: CanvasRenderingContext2D,
   x: number,
   y: number,

@@ -3,6 +3,7 @@
 import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
 import {lookAt, viewOfPath} from "./camera.ts"
 import {type Palette, readPalette} from "./palette.ts"
+import {drawMark} from "./preview_drawing.ts"
 import {drawRobot} from "./robot_drawing.ts"
 
 export function drawWorld(
@@ -263,6 +264,7 @@ export function drawThumbnail(
   canvas: HTMLCanvasElement,
   world: World,
   path: readonly (readonly [number, number])[] = [],
+  bumps: readonly (readonly [number, number])[] = [],
 ): void {
   const ctx = canvas.getContext("2d")
   if (ctx === null) return
@@ -289,6 +291,7 @@ export function drawThumbnail(
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.trail
   ctx.stroke()
+  for (const [x, y] of bumps) drawMark(ctx, x, y, "cross", palette, camera.scale)
   ctx.translate(world.start.x, world.start.y)
   ctx.rotate(world.start.theta)
   const larger = Math.max(1, leastRobot / (robotRadius * camera.scale))

@@ -104,8 +104,9 @@ export const runState: read.Decoder<RunState> = /*#__PURE__*/ read.struct<RunSta
   branches: read.absent(read.items(firing.branch), []),
 })
 
-/// Ground truth for drawing. `boxes` only when movable things have moved since the last frame with them; `ghost` only
-/// when odometry is not the truth; `memory` only when it has changed; `firings` only while the page observes the run.
+/// Ground truth for drawing. `times`, s, of each of `sensed`, when there is one; `boxes` only when movable things have
+/// moved since the last frame with them; `ghost` only when odometry is not the truth; `memory` only when it has
+/// changed; `firings` only while the page observes the run.
 export interface Frame {
   readonly op: "frame"
   readonly time: number
@@ -115,6 +116,7 @@ export interface Frame {
   readonly sensed: readonly string[]
   readonly run: number
   readonly step: number
+  readonly times: readonly number[] | null
   readonly boxes: readonly (readonly [number, number, number])[] | null
   readonly ghost: readonly [number, number, number] | null
   readonly memory: readonly link_messages.MemoryValue[] | null
@@ -129,6 +131,7 @@ export const frame: read.Decoder<Frame> = /*#__PURE__*/ read.struct<Frame>({
   sensed: read.items(read.string),
   run: read.integer,
   step: read.integer,
+  times: read.absent(read.nullable(read.items(read.number)), null),
   boxes: read.absent(read.nullable(read.items(read.tuple(read.number, read.number, read.number))), null),
   ghost: read.absent(read.nullable(read.tuple(read.number, read.number, read.number)), null),
   memory: read.absent(read.nullable(read.items(link_messages.memoryValue)), null),

@@ -29,4 +29,24 @@ export const preview = {
   /// The preview is shorter than the run.
   cut: (time: string) => `Nur die ersten ${time} sind zu sehen: Mehr auszurechnen dauert zu lange.`,
   fails: (time: string) => `nach ${time} mit einem Fehler stehen bleiben`,
+  fixes: "Auswege",
+  outcome: {
+    trembles: (n: number) => `zittert an der Wand: stößt ${n}-mal an`,
+    stands: "steht still",
+    turns: "dreht sich auf der Stelle",
+    drives: (distance: string) => `fährt ${distance}, ohne anzustoßen`,
+    bumps: (n: number) => (n === 1 ? "stößt einmal an" : n === 2 ? "stößt zweimal an" : `stößt ${n}-mal an`),
+    stays: "bleibt dort",
+    onward: {
+      left: "fährt nach links weiter",
+      right: "fährt nach rechts weiter",
+      up: "fährt nach oben weiter",
+      down: "fährt nach unten weiter",
+    },
+    goals: (n: number) => (n === 1 ? "erreicht ein Ziel" : `erreicht ${n} Ziele`),
+    fails: (time: string) => `bleibt nach ${time} mit einem Fehler stehen`,
+    noBetter: "nicht besser als jetzt",
+    trying: "wird ausprobiert …",
+  },
+  noneBetter: "Rosy hat den fertigen Ausweg in diesem Raum ausprobiert: Er ist nicht besser.",
 } as const

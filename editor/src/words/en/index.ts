@@ -13,6 +13,7 @@ import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
 import {twin} from "./twin.ts"
+import {welcome} from "./welcome.ts"
 import {why} from "./why.ts"
 
 export const en = {
@@ -29,6 +30,7 @@ export const en = {
   lessons,
   lessonEditor,
   twin,
+  welcome,
   why,
   /// Blockly's own words, where they are not its English ones.
   blockly: {} as Readonly<Record<string, string>>,

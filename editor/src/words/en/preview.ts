@@ -28,4 +28,27 @@ export const preview = {
   /// The preview is shorter than the run.
   cut: (time: string) => `Only the first ${time} are shown: more takes too long to compute.`,
   fails: (time: string) => `stop with a mistake after ${time}`,
+  fixes: "Ways to mend it",
+  /// What the robot does in a fix's preview, below its picture.
+  outcome: {
+    trembles: (n: number) => `trembles at the wall: ${n} bumps`,
+    stands: "stands still",
+    turns: "turns on the spot",
+    drives: (distance: string) => `drives ${distance} without a bump`,
+    bumps: (n: number) => (n === 1 ? "bumps once" : n === 2 ? "bumps twice" : `bumps ${n} times`),
+    stays: "stays there",
+    onward: {
+      left: "drives on to the left",
+      right: "drives on to the right",
+      up: "drives on upwards",
+      down: "drives on downwards",
+    },
+    goals: (n: number) => (n === 1 ? "reaches a goal" : `reaches ${n} goals`),
+    fails: (time: string) => `stops with a mistake after ${time}`,
+    /// A fix that was offered before its run was known.
+    noBetter: "no better than now",
+    trying: "is being tried …",
+  },
+  /// All ready-made fixes were tried.
+  noneBetter: "Rosy has tried the ready-made way out in this room: it is no better.",
 } as const

@@ -19,6 +19,7 @@ export const page: Omit<
   | "lessons"
   | "lessonEditor"
   | "twin"
+  | "welcome"
   | "why"
   | "blockly"
 > = {

@@ -30,4 +30,24 @@ export const preview: Words["preview"] = {
   /// The preview is shorter than the run.
   cut: time => `Solo se muestran los primeros ${time}: calcular más lleva demasiado tiempo.`,
   fails: time => `se pararía con un error a los ${time}`,
+  fixes: "Formas de arreglarlo",
+  outcome: {
+    trembles: n => `tiembla contra la pared: choca ${n} veces`,
+    stands: "se queda quieto",
+    turns: "gira sin moverse del sitio",
+    drives: distance => `avanza ${distance} sin chocar`,
+    bumps: n => (n === 1 ? "choca una vez" : `choca ${n} veces`),
+    stays: "se queda ahí",
+    onward: {
+      left: "sigue hacia la izquierda",
+      right: "sigue hacia la derecha",
+      up: "sigue hacia arriba",
+      down: "sigue hacia abajo",
+    },
+    goals: n => (n === 1 ? "logra un objetivo" : `logra ${n} objetivos`),
+    fails: time => `se detiene con un error después de ${time}`,
+    noBetter: "no es mejor que ahora",
+    trying: "se está probando…",
+  },
+  noneBetter: "Rosy ha probado el arreglo preparado en esta sala: no es mejor.",
 }

@@ -16,6 +16,7 @@ import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
 import {twin} from "./twin.ts"
+import {welcome} from "./welcome.ts"
 import {why} from "./why.ts"
 
 export const french: Table = {
@@ -35,6 +36,7 @@ export const french: Table = {
     lessons,
     lessonEditor,
     twin,
+    welcome,
     why,
     blockly,
   },

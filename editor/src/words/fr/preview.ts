@@ -31,4 +31,24 @@ export const preview: Words["preview"] = {
   /// The preview is shorter than the run.
   cut: time => `Seules les premières ${time} sont montrées : calculer plus prend trop de temps.`,
   fails: time => `s'arrêterait avec une erreur après ${time}`,
+  fixes: "Façons de le corriger",
+  outcome: {
+    trembles: n => `tremble contre le mur : se cogne ${n} fois`,
+    stands: "reste immobile",
+    turns: "tourne sur place",
+    drives: distance => `roule ${distance} sans se cogner`,
+    bumps: n => (n === 1 ? "se cogne une fois" : `se cogne ${n} fois`),
+    stays: "reste là",
+    onward: {
+      left: "repart vers la gauche",
+      right: "repart vers la droite",
+      up: "repart vers le haut",
+      down: "repart vers le bas",
+    },
+    goals: n => (n === 1 ? "atteint un but" : `atteint ${n} buts`),
+    fails: time => `s'arrête sur une erreur après ${time}`,
+    noBetter: "pas mieux que maintenant",
+    trying: "à l'essai…",
+  },
+  noneBetter: "Rosy a essayé la correction toute prête dans cette salle : ce n'est pas mieux.",
 }

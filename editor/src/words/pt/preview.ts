@@ -28,4 +28,24 @@ export const preview = {
   /// The preview is shorter than the run.
   cut: (time: string) => `Só os primeiros ${time} são mostrados: calcular mais demora demais.`,
   fails: (time: string) => `parar com um erro depois de ${time}`,
+  fixes: "Formas de corrigir",
+  outcome: {
+    trembles: (n: number) => `treme contra a parede: bate ${n} vezes`,
+    stands: "fica parado",
+    turns: "gira no lugar",
+    drives: (distance: string) => `anda ${distance} sem bater`,
+    bumps: (n: number) => (n === 1 ? "bate uma vez" : `bate ${n} vezes`),
+    stays: "fica ali",
+    onward: {
+      left: "segue para a esquerda",
+      right: "segue para a direita",
+      up: "segue para cima",
+      down: "segue para baixo",
+    },
+    goals: (n: number) => (n === 1 ? "alcança uma meta" : `alcança ${n} metas`),
+    fails: (time: string) => `para com um erro depois de ${time}`,
+    noBetter: "não é melhor que agora",
+    trying: "sendo testado…",
+  },
+  noneBetter: "O Rosy testou a correção pronta nesta sala: não é melhor.",
 } as const

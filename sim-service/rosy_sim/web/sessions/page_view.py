@@ -110,7 +110,8 @@ class PageView:
         self._is_hidden = False
         # For the next frame: functions that have fired, and the memory if it has changed.
         self._fired: list[str] = []
-        self._sensed: list[str] = []
+        # Events, each with its time, s.
+        self._sensed: list[tuple[str, float]] = []
         # What the page was last told of each channel; empty when the next frame has to tell all.
         self._channels: dict[str, Shown] = {}
         self._channels_run = -1
@@ -191,10 +192,10 @@ class PageView:
         if names:
             self._fired = (self._fired + names)[-_MAX_FIRED:]
 
-    def add_sensed(self, texts: list[str]) -> None:
-        """Show the events that the program sensed with the next frame."""
+    def add_sensed(self, time: float, texts: list[str]) -> None:
+        """Show the events that the program sensed at a time, s, with the next frame."""
         if texts:
-            self._sensed = (self._sensed + texts)[-_MAX_SENSED:]
+            self._sensed = (self._sensed + [(text, time) for text in texts])[-_MAX_SENSED:]
 
     def add_firings(self, time: float, firings: list[Firing]) -> None:
         """Show these firings of a step with the next frame, if the page asks for them."""
@@ -301,7 +302,7 @@ class PageView:
         if line.time > self._now() - self._robot_began:
             return
         self.add_fired(line.fired)
-        self.add_sensed(line.sensed)
+        self.add_sensed(line.time, line.sensed)
         if not self._may_show_frame():
             return
         self.step = int(line.time * STEPS_PER_SECOND)
@@ -369,7 +370,9 @@ class PageView:
         self._channels.update(news)
         fired, self._fired = self._fired, []
         sensed, self._sensed = self._sensed, []
-        self._outbox.put(page.Frame(time, pose, news, fired, sensed, run=self.run, step=self.step, **more))
+        more["times"] = [at for _, at in sensed] or None
+        texts = [text for text, _ in sensed]
+        self._outbox.put(page.Frame(time, pose, news, fired, texts, run=self.run, step=self.step, **more))
 
     def _moved_boxes(self) -> list[tuple[float, float, float]] | None:
         """Poses of the movable things if they differ from those that the page was told last."""

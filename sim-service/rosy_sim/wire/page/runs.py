@@ -105,12 +105,13 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
 
 
 class Frame(Telemetry, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
-    """Ground truth for drawing. ``boxes`` only when movable things have moved since the last
-    frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only when it has changed; ``firings``
-    only while the page observes the run."""
+    """Ground truth for drawing. ``times``, s, of each of ``sensed``, when there is one; ``boxes`` only when movable
+    things have moved since the last frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only
+    when it has changed; ``firings`` only while the page observes the run."""
 
     run: int
     step: int
+    times: list[float] | None = None
     boxes: list[tuple[float, float, float]] | None = None
     ghost: tuple[float, float, float] | None = None
     memory: list[MemoryValue] | None = None

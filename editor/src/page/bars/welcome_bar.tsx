@@ -1,0 +1,79 @@
+/// Welcome bar of a first visit: four ways to begin, each in one sentence; while the demonstration is shown, what it shows; after the first run an
+/// invitation to change something.
+
+import type {VNode} from "preact"
+import {isActive} from "../../state/runs/run_state.ts"
+import {useController, usePageState} from "../../ui/app_context.ts"
+import {CloseIcon} from "../../ui/icons.tsx"
+import {words} from "../../words/index.ts"
+
+/// The first lesson of the first course.
+const firstLesson = "hello-robot"
+
+export function WelcomeBar(): VNode | null {
+  const desk = useController()
+  const step = usePageState(s => s.demonstration)
+  const isAsking = usePageState(s => s.welcoming && !s.embedded)
+  const {title, show, lesson, example, empty, steps, stop} = words.welcome
+  if (step !== null)
+    return (
+      <section class="welcome" aria-label={show.name}>
+        <p aria-live="polite" data-testid="demonstration">
+          {steps[step]}
+        </p>
+        <button type="button" class="plain" onClick={desk.demonstrate}>
+          {stop}
+        </button>
+      </section>
+    )
+  if (!isAsking) return <Invitation />
+  const choices = [
+    {...show, choose: () => desk.demonstrate()},
+    {...lesson, choose: () => desk.openLesson(firstLesson)},
+    {...example, choose: () => desk.openGallery()},
+    {...empty, choose: () => desk.newProgram()},
+  ]
+  return (
+    <section class="welcome" aria-label={title}>
+      <h2>{title}</h2>
+      <ul>
+        {choices.map(({name, says, choose}) => (
+          <li key={name}>
+            <button type="button" onClick={choose}>
+              <b>{name}</b>
+              <span>{says}</span>
+            </button>
+          </li>
+        ))}
+      </ul>
+      <button
+        type="button"
+        class="plain icon"
+        aria-label={words.close}
+        onClick={() => desk.store.dispatch({kind: "welcoming", welcoming: false})}
+      >
+        <CloseIcon />
+      </button>
+    </section>
+  )
+}
+
+/// Invitation after the first run of a new learner, until the next one: what to try next.
+function Invitation(): VNode | null {
+  const {change, from, to, into, after} = words.invite
+  const isShown = usePageState(
+    s =>
+      s.welcome === "ran" &&
+      s.room.goals.length === 0 &&
+      (isActive(s.run) || s.run.kind === "ended") &&
+      s.room.source?.includes(` ${from} `) === true,
+  )
+  if (!isShown) return null
+  return (
+    <section class="welcome" aria-label={words.run}>
+      <p aria-live="polite">
+        {change} <code>{from}</code> {to} <code>{into}</code> {after}
+      </p>
+    </section>
+  )
+}

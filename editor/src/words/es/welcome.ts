@@ -1,0 +1,20 @@
+/// The choices of a new learner, and the demonstration in Spanish.
+
+import type {Words} from "../index.ts"
+
+export const welcome: Words["welcome"] = {
+  title: "¿Cómo quieres empezar?",
+  show: {name: "Enséñame", says: "Mira cómo se construye un programa: 20 segundos."},
+  lesson: {name: "Lección 1", says: "Hazlo tú, paso a paso."},
+  example: {name: "Empezar con un ejemplo", says: "Abre un programa que funciona y cámbialo."},
+  empty: {name: "Programa vacío", says: "Construye algo tuyo."},
+  demonstration: "Enséñame",
+  steps: [
+    "Este es un programa vacío. simular ejecuta lo que se pone dentro.",
+    "Un bloque dice a qué velocidad ir: Velocity, 0.3 metros por segundo. A la derecha está en Haskell.",
+    "Ahora está dentro de simular, así que se ejecutará.",
+    "Ejecutar: el robot avanza.",
+    "Otro número: ahora también gira y va en círculo.",
+  ],
+  stop: "Dejar de enseñar",
+}
