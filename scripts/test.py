@@ -10,6 +10,7 @@ The same commit runs the same tests on each day and machine.
 from __future__ import annotations
 
 import os
+import subprocess
 import sys
 import time
 from collections.abc import Sequence
@@ -101,7 +102,11 @@ def main() -> int:
     names = [suite.name for suite in known]
     left_out: Sequence[str] = ()
     if mode == "names":
-        print("\n".join(listed_tests(ROOT, known)))
+        try:
+            print("\n".join(listed_tests(ROOT, known)))
+        except subprocess.CalledProcessError as error:
+            print(f"{error.output or ''}{error.stderr or ''}\nrosy test: the tests cannot be listed, since `{' '.join(error.cmd)}` failed.", file=sys.stderr)
+            return 1
         return 0
     if mode == "quick":
         base = words[0] if words else merge_base(ROOT)

@@ -40,6 +40,7 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await hands.writes(/type of part 1 of Backward/, "Centimeters")
 
   await hands.starts("a task of several steps")
+  await hands.writes(field.name, "drawSquare")
   await begin(hands, "move", "Direction -> Task ()", 1)
   await begin(hands, "drive", "Double -> Centimeters -> Task ()", 2)
   await begin(hands, "startMove", "Position -> Memory Position", 0)

@@ -15,6 +15,9 @@ from typing import Any
 __all__ = ["failed_tests"]
 
 _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
+# What pytest-xdist says of a test whose process has ended; why stands where the process wrote it (faulthandler's first line).
+_CRASHED = "worker 'gw"
+_CAUSE = re.compile(r"^(Timeout \([\d:.]+\)|Fatal Python error: .*)", re.M)
 # Characters of a message that are kept; the whole message stands in the output of the suite.
 _LENGTH = 300
 
@@ -27,8 +30,14 @@ def failed_tests(output: str, report: Path | None) -> list[str]:
     else:
         plain = _COLOURS.sub("", output)
         found = re.findall(r"^(?:FAILED|ERROR) (\S.*)$", plain, re.M)
+        found = [f"{line} ({cause})" if _CRASHED in line and (cause := _causes(plain)) else line for line in found]
         found += [name.strip() for name in re.findall(r"^\s+(\S.*?):\s+FAIL(?: \(.*\))?$", plain, re.M)]
     return [_one_line(name) for name in found]
+
+
+def _causes(output: str) -> str:
+    """Why processes of the tests have ended, each cause once."""
+    return "; ".join(dict.fromkeys(_CAUSE.findall(output)))
 
 
 def _vitest(report: dict[str, Any]) -> Iterator[str]:

@@ -15,6 +15,7 @@ import time
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from pathlib import Path
+from typing import IO
 
 ROOT = Path(__file__).resolve().parents[2]
 # The longest first.
@@ -23,11 +24,12 @@ PROGRAMS = ("ros-test", "robots-test", "worker-test", "rosy-test")
 TOOLS = ("ros-fuse", "ros-print-topic", "rosy-worker")
 
 
-def build() -> int:
+def build(output: IO[str] | None = None) -> int:
+    """Exit status of cabal, which writes to ``output`` (default: standard output)."""
     # Executables as well: the tests start rosy-worker and rosy-robot. Another ./rosy that builds here has the turn (scripts/lib/steps.sh).
     with (ROOT / ".rosy" / "turn").open("w") as turn:
         fcntl.flock(turn, fcntl.LOCK_EX)
-        return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, check=False).returncode
+        return subprocess.run(["cabal", "build", "--offline", "-j2", "all"], cwd=ROOT, stdout=output, check=False).returncode
 
 
 def folder() -> str:

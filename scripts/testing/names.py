@@ -2,12 +2,14 @@
 Names of all tests, without running them: what two clones of one commit must agree on.
 
 In: the suites. Out: sorted lines `suite: test`. pytest, Playwright, Vitest and tasty list their own tests; a check is named by its suite.
+What lists the tests of Haskell is built first where it is not.
 """
 
 from __future__ import annotations
 
 import re
 import subprocess
+import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -33,6 +35,8 @@ def _names(root: Path, suite: Suite, before: Sequence[str]) -> Iterator[str]:
     elif "vitest" in words:
         yield from filter(None, _said(root, [*before, "npx", "vitest", "list", "--root", suite.name]).splitlines())
     elif suite.name == "haskell":
+        if status := haskell.build(sys.stderr):
+            raise subprocess.CalledProcessError(status, ["cabal", "build"])
         programs = haskell.folder()
         for program in haskell.PROGRAMS:
             listed = _said(root, [*before, programs.format(kind="t", name=program), "--list-tests"], haskell.environment(programs))

@@ -47,3 +47,14 @@ def test_a_long_message_is_cut() -> None:
     (line,) = failed_tests(f"FAILED test_x.py::test_y - {'word ' * 200}\n", None)
     assert line.endswith(" …")
     assert len(line) < 310
+
+
+def test_why_a_process_of_the_tests_has_ended_stands_beside_the_test_it_ran(tmp_path: Path) -> None:
+    (tmp_path / "test_it.py").write_text("import time\n\ndef test_hangs():\n    time.sleep(60)\n\ndef test_dies():\n    import os\n    os.abort()\n")
+    limits = ["-o", "faulthandler_timeout=0.5", "-o", "faulthandler_exit_on_timeout=true"]
+    command = [sys.executable, "-m", "pytest", "-q", "-rfE", "-n", "1", "-p", "no:cacheprovider", *limits, "test_it.py"]
+    output = subprocess.run(command, cwd=tmp_path, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, check=False).stdout
+    lines = failed_tests(output, None)
+    assert len(lines) == 2, output
+    for line in lines:
+        assert line.endswith("(Timeout (0:00:00.500000); Fatal Python error: Aborted)"), output

@@ -244,8 +244,8 @@ describe("by keyboard alone", () => {
     await keys.take("say")
     expect((await keys.haskell()).split("\n\n")[0]).toBe(
       [
-        "drawSquare :: Task ()",
-        "drawSquare = do",
+        "myTask :: Task ()",
+        "myTask = do",
         '  say "go"',
         "  replicateM_ 4 $ do",
         "    wait 1",

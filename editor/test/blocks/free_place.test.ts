@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import {type Box, nearestFreePlace} from "../../src/views/blocks/dragging/free_place.ts"
+import {type Box, moveIntoView, nearestFreePlace} from "../../src/views/blocks/dragging/free_place.ts"
 
 const box = (left: number, top: number, width: number, height: number): Box => ({
   left,
@@ -26,6 +26,15 @@ test("it comes below what it would cover, 20 units away, if that is the shortest
 
 test("it comes beside a tall one", () => {
   expect(nearestFreePlace(box(80, 200, 100, 50), [box(0, 0, 100, 600)])).toEqual({right: 40, down: 0})
+})
+
+test.each([
+  ["seen whole", 0, 500, 0],
+  ["cut off at the right", 420, 500, -32],
+  ["out of sight at the left", -300, 500, 312],
+  ["wider than the view", 90, 50, -78],
+])("a block that is %s comes into view from the side", (_, left, seen, aside) => {
+  expect(moveIntoView({left, right: left + 100}, {left: 0, right: seen})).toBe(aside)
 })
 
 test("nothing is ever covered", () => {

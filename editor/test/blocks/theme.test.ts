@@ -3,6 +3,7 @@ import {describe, expect, test} from "vitest"
 import {socketShade} from "../../src/views/blocks/appearance/style_sheet.ts"
 import {
   contrast,
+  edgeOf,
   families,
   fillOf,
   fills,
@@ -79,6 +80,11 @@ describe.each(Object.entries(deficiencies))("with %s", (_, matrix) => {
     })
     expect(alike).toEqual([])
   })
+})
+
+test.each(families)("a %s block is told apart from one of its family around it by its edge", family => {
+  for (const tone of ["light", "dark"] as const)
+    expect(contrast(fillOf(tone, family, false), edgeOf(tone, family, false))).toBeGreaterThanOrEqual(1.5)
 })
 
 test("contrast is WCAG's: black on white is 21, a colour on itself 1", () => {

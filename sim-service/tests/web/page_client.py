@@ -83,19 +83,26 @@ class Page:
             return await self.socket.recv()
 
     async def until(self, wanted: Callable[[Message], bool], within: float = PATIENCE) -> Message:
-        """The next message that fits, waited for at most ``within`` s."""
-        async with asyncio.timeout(within):
-            while True:
-                message: Message = json.loads(await self._receive())
-                if message["op"] == "frame":
-                    # What has not changed is not told again.
-                    if message["run"] != self.run:
-                        self.run, self.channels = message["run"], {}
-                    self.channels = {**self.channels, **message["channels"]}
-                    message = {**message, "channels": self.channels}
-                self.seen.append(message)
-                if wanted(message):
-                    return message
+        """The next message that fits, waited for at most ``within`` s; a failure names the latest ones that did not."""
+        try:
+            async with asyncio.timeout(within):
+                return await self._next(wanted)
+        except TimeoutError:
+            latest = [message for message in self.seen if message["op"] != "frame"][-5:] + self.seen[-1:]
+            raise TimeoutError(f"no message fits within {within:g} s; the latest: {latest}") from None
+
+    async def _next(self, wanted: Callable[[Message], bool]) -> Message:
+        while True:
+            message: Message = json.loads(await self._receive())
+            if message["op"] == "frame":
+                # What has not changed is not told again.
+                if message["run"] != self.run:
+                    self.run, self.channels = message["run"], {}
+                self.channels = {**self.channels, **message["channels"]}
+                message = {**message, "channels": self.channels}
+            self.seen.append(message)
+            if wanted(message):
+                return message
 
     async def op(self, op: str, **fields: Any) -> Message:
         return await self.until(_like({"op": op, **fields}))
@@ -147,6 +154,11 @@ async def serving(config: Config, class_store: ClassStore | None = None) -> Asyn
         yield f"127.0.0.1:{port}", app.state.service
     finally:
         server.should_exit = True
+        _, unfinished = await asyncio.wait([task], timeout=PATIENCE)
+        if unfinished:
+            for running in asyncio.all_tasks():
+                running.print_stack()
+            raise TimeoutError(f"the server has not ended within {PATIENCE:g} s; its tasks stand above")
         await task
 
 

@@ -28,6 +28,7 @@ export const toolbox: Words["toolbox"] = {
   motion: {
     drive: "fahre 50 cm",
     turn: "drehe um 90 Grad",
+    square: "fahre ein Quadrat: 4-mal 50 cm und eine Drehung um 90°",
     driveUntilBump: "fahre bis zu einem Stoß",
     driveUntil: "fahre, bis ein Knopf gedrückt wird",
     blink: "blinke ein Licht rot",

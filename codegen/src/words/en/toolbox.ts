@@ -29,6 +29,7 @@ export const toolbox = {
   motion: {
     drive: "drive 50 cm",
     turn: "turn 90 degrees",
+    square: "drive a square: 4 times 50 cm and a turn of 90°",
     driveUntilBump: "drive until a bump",
     driveUntil: "drive until a button is pressed",
     blink: "blink a light red",

@@ -28,6 +28,7 @@ export const toolbox: Words["toolbox"] = {
   motion: {
     drive: "avanzar 50 cm",
     turn: "girar 90 grados",
+    square: "hacer un cuadrado: 4 veces 50 cm y un giro de 90°",
     driveUntilBump: "avanzar hasta chocar",
     driveUntil: "avanzar hasta que se pulse un botón",
     blink: "parpadear una luz roja",

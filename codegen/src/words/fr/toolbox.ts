@@ -28,6 +28,7 @@ export const toolbox: Words["toolbox"] = {
   motion: {
     drive: "avancer de 50 cm",
     turn: "tourner de 90 degrés",
+    square: "avancer en carré : 4 fois 50 cm et un quart de tour",
     driveUntilBump: "avancer jusqu'au choc",
     driveUntil: "avancer jusqu'à ce qu'un bouton soit enfoncé",
     blink: "faire clignoter une lumière en rouge",

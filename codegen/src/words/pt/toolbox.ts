@@ -28,6 +28,7 @@ export const toolbox: Words["toolbox"] = {
   motion: {
     drive: "ande 50 cm",
     turn: "gire 90 graus",
+    square: "ande em quadrado: 4 vezes 50 cm e um giro de 90°",
     driveUntilBump: "ande até bater",
     driveUntil: "ande até um botão ser pressionado",
     blink: "pisque uma luz vermelha",

@@ -58,3 +58,9 @@ export function reaction(
     },
   )
 }
+
+/// Steps one below the other.
+export function stacked([first, ...rest]: readonly SavedBlock[]): SavedBlock {
+  if (first === undefined) throw new Error("expected at least one step, found none")
+  return rest.length === 0 ? first : {...first, next: {block: stacked(rest)}}
+}

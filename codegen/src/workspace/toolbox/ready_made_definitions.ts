@@ -17,6 +17,7 @@ import {
   pick,
   reaction,
   ref,
+  stacked,
   text,
 } from "./block_builders.ts"
 
@@ -52,11 +53,6 @@ function task(name: string, ...steps: readonly SavedBlock[]): SavedBlock {
     {name, as: "task", arity: 0, equations: [{}], signature: "Task ()"},
     {E0_0: make("do", {}, {S: stacked(steps)})},
   )
-}
-
-function stacked([first, ...rest]: readonly SavedBlock[]): SavedBlock {
-  if (first === undefined) throw new Error("expected at least one step, found none")
-  return rest.length === 0 ? first : {...first, next: {block: stacked(rest)}}
 }
 
 const drive = (speed: string, turning: string) => con("Velocity", num(speed), num(turning))

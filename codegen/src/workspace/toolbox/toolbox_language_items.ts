@@ -15,6 +15,7 @@ import {
   pick,
   reaction,
   ref,
+  stacked,
   text,
 } from "./block_builders.ts"
 import {item} from "./toolbox_item.ts"
@@ -46,6 +47,17 @@ export const motionItems = perLanguage((): readonly ToolboxItem[] => {
     item(motion.drive, make("step_drive", {}, {X: num("50")})),
     item(motion.turn, make("step_turn", {}, {X: num("90")})),
     item(words.toolbox.repeatANumberOfTimes, make("step_repeat", {}, {N: num("4")})),
+    item(
+      motion.square,
+      make(
+        "step_repeat",
+        {},
+        {
+          N: num("4"),
+          S: stacked([make("step_drive", {}, {X: num("50")}), make("step_turn", {}, {X: num("90")})]),
+        },
+      ),
+    ),
     item(motion.driveUntilBump, make("step_drive_until_bump")),
     item(motion.driveUntil, make("step_drive_until", {}, {X: untilButton})),
     item(motion.driveBack, make("step_drive_back", {}, {X: num("1")})),
@@ -71,7 +83,7 @@ export const motionItems = perLanguage((): readonly ToolboxItem[] => {
 export const taskItems = perLanguage((): readonly ToolboxItem[] => [
   item(
     words.toolbox.aTaskOfSeveralSteps,
-    reaction("drawSquare", "task", [], make("do", {}, {S: make("step_say", {}, {X: text("go")})})),
+    reaction("myTask", "task", [], make("do", {}, {S: make("step_say", {}, {X: text("go")})})),
   ),
   item(words.toolbox.doTheseSteps, make("do")),
   item(words.toolbox.doOneThing, make("step_do")),

@@ -76,6 +76,10 @@ export function contrast(one: string, two: string): number {
 const patternShade: Record<Tone, number> = {light: 0.2, dark: 0.16}
 const edgeShade: Record<Tone, number> = {light: 0.26, dark: 0.34}
 
+/// Least contrast of a block's edge and its fill, and the share of white in an edge that is lighter than the fill.
+const leastEdge = 1.5
+const lightEdge = 0.5
+
 /// The name of a block's style in the themes below.
 export function styleName(family: Family, pattern: boolean): string {
   return pattern ? `${family}_pattern` : family
@@ -85,6 +89,14 @@ export function styleName(family: Family, pattern: boolean): string {
 export function fillOf(tone: Tone, family: Family, pattern: boolean): string {
   const fill = fills[tone][family]
   return pattern ? mix(fill, tone === "light" ? "#000000" : "#ffffff", patternShade[tone]) : fill
+}
+
+/// The edge of a block: darker than its fill, or lighter where a darker one could not be seen between blocks of one family in one another,
+/// as of steps in a task.
+export function edgeOf(tone: Tone, family: Family, pattern: boolean): string {
+  const fill = fillOf(tone, family, pattern)
+  const darker = mix(fill, "#000000", edgeShade[tone])
+  return pattern || contrast(fill, darker) >= leastEdge ? darker : mix(fill, "#ffffff", lightEdge)
 }
 
 const ground: Record<Tone, {workspace: string; paper: string; text: string; line: string}> = {
@@ -101,7 +113,7 @@ function theme(tone: Tone): Blockly.Theme {
       blockStyles[styleName(family, pattern)] = {
         colourPrimary,
         colourSecondary: mix(colourPrimary, ground[tone].workspace, 0.3),
-        colourTertiary: mix(colourPrimary, "#000000", edgeShade[tone]),
+        colourTertiary: edgeOf(tone, family, pattern),
       }
     }
     categoryStyles[family] = {colour: fills[tone][family]}

@@ -155,7 +155,7 @@ class RosyDragStrategy extends Blockly.dragging.BlockDragStrategy {
         if (isNew) arbitrateInProgram(this.moved, () => this.host.asker())
       } else if (disposition === Blockly.DragDisposition.COMMIT) {
         endMovement(this.moved.workspace)
-        moveToFreePlace(this.moved)
+        moveToFreePlace(this.moved, isNew)
         if (isNew) joinProgram(this.moved, () => this.host.asker())
       }
     } finally {

@@ -6,7 +6,7 @@ import * as Blockly from "blockly/core"
 import {shapeOf} from "../construction/block_definitions.ts"
 import {giveUniqueNames} from "../construction/unique_names.ts"
 import {beginMovement, endMovement, type FitChecker, Movement} from "./connection_checker.ts"
-import {type Box, nearestFreePlace} from "./free_place.ts"
+import {type Box, moveIntoView, nearestFreePlace} from "./free_place.ts"
 import {arbitrateInProgram, joinProgram} from "./program_membership.ts"
 import {insertReference} from "./reference_drop.ts"
 
@@ -24,11 +24,20 @@ export function moveBelowOthers(block: Blockly.BlockSvg): void {
   block.moveBy(x - box.left, y - box.top, ["cleanup"])
 }
 
-/// Moves a definition that was dropped on other blocks to the nearest place where it covers none.
-export function moveToFreePlace(block: Blockly.BlockSvg): void {
+/// Moves a definition that was dropped on other blocks to the nearest place where it covers none. One from the drawer, which leaves little
+/// room to drop anything, first comes into view as far as it fits.
+export function moveToFreePlace(block: Blockly.BlockSvg, isNew: boolean): void {
   const as = shapeOf(block)?.connects.as
   if (block.isDeadOrDying() || block.getParent() !== null || (as !== "definition" && as !== "top")) return
   Blockly.renderManagement.triggerQueuedRenders(block.workspace)
+  if (isNew) {
+    const view = block.workspace.getMetricsManager().getViewMetrics(true)
+    const aside = moveIntoView(block.getBoundingRectangle(), {
+      left: view.left,
+      right: view.left + view.width,
+    })
+    if (aside !== 0) block.moveBy(aside, 0, ["cleanup"])
+  }
   const others = block.workspace.getTopBlocks(false).filter(other => other !== block)
   const {right, down} = nearestFreePlace(
     block.getBoundingRectangle(),
