@@ -24,7 +24,13 @@ async function begin(hands: Hands, name: string, type: string, inputs: number): 
 
 export async function drawSquare(hands: Hands): Promise<void> {
   await hands.begins()
+  await declareSquare(hands)
+  await fillSquare(hands)
+  await fillTurn(hands)
+}
 
+/// Types and signatures of the square.
+async function declareSquare(hands: Hands): Promise<void> {
   await hands.starts("another name for a type")
   await hands.writes(/new name/, "Side")
   await hands.writes(/type: Bool/, "Either Degrees Degrees")
@@ -55,7 +61,10 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await begin(hands, "turn", "Side -> Task ()", 1)
   await begin(hands, "startTurn", "Side -> Orientation -> Memory Orientation", 2)
   await begin(hands, "runTurn", "Memory Orientation -> Orientation -> Either Velocity (Done ())", 2)
+}
 
+/// What the square, a move and its parts do.
+async function fillSquare(hands: Hands): Promise<void> {
   await hands.takesUp("definition of drawSquare")
   await hands.throws(/one after the other, say/)
   await hands.stacks("repeat a number of times", "do these steps")
@@ -93,7 +102,10 @@ export async function drawSquare(hands: Hands): Promise<void> {
   await hands.puts("start", "here", "magnitudeVec", "add or subtract arrows")
   await hands.chooses(field.operator, "subVec", "last")
   await hands.puts("positionToVec", "here", "positionToVec", "start")
+}
 
+/// What a turn and its parts do.
+async function fillTurn(hands: Hands): Promise<void> {
   await hands.takesUp("definition of turn")
   await hands.puts("side", "task:", "startTurn")
   await hands.presses(/one input less/, 1, "last")
@@ -243,26 +255,7 @@ export async function randomWalk(hands: Hands): Promise<void> {
     await hands.chooses(/status: in the air$/, "on the ground", "last")
   }
 
-  await begin(hands, "chgdir", "ChgDir -> StdGen -> Seconds -> Memory Mode", 3)
-  await hands.remarks("Picks an angle up to half a turn, and a side.")
-  await hands.puts("ChgDir", "gen", "now")
-  await hands.asks("Add own definitions")
-  await hands.stacks("take a value apart", "where")
-  await hands.takesUp("definition of several names")
-  await hands.writes(/name: a$/, "angle")
-  await hands.writes(/name: b$/, "more")
-  await hands.puts("a random number in a range", "gen")
-  await hands.stacks("take a value apart")
-  await hands.takesUp("definition of several names")
-  await hands.writes(/name: a$/, "left")
-  await hands.throws(/name: b$/)
-  await hands.puts("any, whatever", "a random value", "more")
-  await hands.stacks("constant")
-  await hands.takesUp("definition of speed")
-  await hands.throws(/number: 0.5$/)
-  await hands.puts("if then else", "left", "1", "-1")
-  await hands.takesUp("definition of chgdir")
-  await hands.puts("Memory:", "Turn", "speed", "plus", "now", "number as seconds", "angle")
+  await changeOfDirection(hands)
 
   await begin(hands, "spin", "Memory Mode -> Seconds -> Either Velocity (Memory Mode)", 2)
   await hands.presses(/^one more case$/, 2)
@@ -284,4 +277,28 @@ export async function randomWalk(hands: Hands): Promise<void> {
   await hands.takesUp("the program: simulate")
   await hands.presses(/^run one more$/, 2)
   await hands.puts("chgdir", "spin")
+}
+
+/// Turns a random walk after it has hit something.
+async function changeOfDirection(hands: Hands): Promise<void> {
+  await begin(hands, "chgdir", "ChgDir -> StdGen -> Seconds -> Memory Mode", 3)
+  await hands.remarks("Picks an angle up to half a turn, and a side.")
+  await hands.puts("ChgDir", "gen", "now")
+  await hands.asks("Add own definitions")
+  await hands.stacks("take a value apart", "where")
+  await hands.takesUp("definition of several names")
+  await hands.writes(/name: a$/, "angle")
+  await hands.writes(/name: b$/, "more")
+  await hands.puts("a random number in a range", "gen")
+  await hands.stacks("take a value apart")
+  await hands.takesUp("definition of several names")
+  await hands.writes(/name: a$/, "left")
+  await hands.throws(/name: b$/)
+  await hands.puts("any, whatever", "a random value", "more")
+  await hands.stacks("constant")
+  await hands.takesUp("definition of speed")
+  await hands.throws(/number: 0.5$/)
+  await hands.puts("if then else", "left", "1", "-1")
+  await hands.takesUp("definition of chgdir")
+  await hands.puts("Memory:", "Turn", "speed", "plus", "now", "number as seconds", "angle")
 }

@@ -27,9 +27,20 @@ interface Sample {
   readonly keys: number
 }
 
-/// Fills the page with a text of `wanted` blocks, drags a number across them, edits a number, picks a block up by key.
 async function sample(page: Page, wanted: number): Promise<Sample> {
-  const load = await page.evaluate(async size => {
+  const load = await fill(page, wanted)
+  await settled(page)
+  const drag = await dragNumber(page)
+  await settled(page)
+  const {edit, work} = await editNumber(page)
+  const keys = await pickUpByKey(page)
+  const blocks = await page.evaluate(() => window.Blockly.getMainWorkspace().getAllBlocks(false).length)
+  return {blocks, load, drag, edit, work, keys}
+}
+
+/// Fills the page with a text of `wanted` blocks. The result is how long that took, ms.
+async function fill(page: Page, wanted: number): Promise<number> {
+  return page.evaluate(async size => {
     type Saved = import("@rosy/codegen").SavedBlock
     const base = window.blocks.save().blocks.blocks.filter(block => block.type !== "main")
     let id = 0
@@ -56,9 +67,11 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
     window.blocks.makeAll()
     return took
   }, wanted)
-  await settled(page)
+}
 
-  const drag = await page.evaluate(async count => {
+/// Drags a number across the blocks. The result is the time of each step, ms.
+async function dragNumber(page: Page): Promise<number[]> {
+  return page.evaluate(async count => {
     const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
     const number = workspace.getAllBlocks(false).find(block => block.type === "number")!
     const root = number.getSvgRoot()
@@ -90,8 +103,10 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
     await frame()
     return times
   }, steps)
-  await settled(page)
+}
 
+/// Edits a number. The result is the time of each edit, and the processor's time for one with drawing, the mean, ms.
+async function editNumber(page: Page): Promise<Pick<Sample, "edit" | "work">> {
   const clock = await page.context().newCDPSession(page)
   await clock.send("Performance.enable", {timeDomain: "threadTicks"})
   const worked = async () => {
@@ -124,10 +139,12 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
     }
     return times
   }, edits)
+  return {edit, work: ((await worked()) - before) / edits}
+}
 
-  const work = ((await worked()) - before) / edits
-
-  const keys = await page.evaluate(() => {
+/// Picks a block up by key. The result is how long that took, ms.
+async function pickUpByKey(page: Page): Promise<number> {
+  const time = await page.evaluate(() => {
     const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
     const number = workspace.getAllBlocks(false).find(block => block.type === "number")!
     window.Blockly.getFocusManager().focusNode(number)
@@ -136,8 +153,7 @@ async function sample(page: Page, wanted: number): Promise<Sample> {
     return performance.now() - began
   })
   await page.keyboard.press("Escape")
-  const blocks = await page.evaluate(() => window.Blockly.getMainWorkspace().getAllBlocks(false).length)
-  return {blocks, load, drag, edit, work, keys}
+  return time
 }
 
 const at = (times: readonly number[], share: number) =>

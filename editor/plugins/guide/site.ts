@@ -38,23 +38,66 @@ const besideGuide = /^rosy:(api-docs\/Rosy\.html|prelude\.html|\?example=\w+|)(?
 /// The address of a picture until the build has named its file.
 const pictureMark = (path: string) => `picture:${path}`
 
+/// The Markdown files of the guide.
+interface Sources {
+  readonly english: readonly Source[]
+  /// Those that the guide is translated into.
+  readonly languages: readonly string[]
+  /// In all languages.
+  readonly all: readonly Source[]
+}
+
+/// The guide with its pages converted, by their Markdown files.
+interface ConvertedGuide extends Sources {
+  readonly chapters: readonly Chapter[]
+  readonly pages: ReadonlyMap<string, ConvertedPage>
+}
+
 export async function readSite(root: string): Promise<Site> {
   const {chapters, textOf} = readContents(root)
+  const sources = sourcesOf(root, chapters)
+  const texts = new Map(sources.all.map(({file}) => [file, textOf(file)]))
+  const references = openReferences(root, sources.all, await openAddresses([...texts.values()]))
+  const pages = new Map<string, ConvertedPage>(
+    sources.all.map(source => [
+      source.file,
+      convertMarkdown(
+        texts.get(source.file) ?? "",
+        references.resolverOf(source),
+        guideWords(source.language),
+      ),
+    ]),
+  )
+  const guide: ConvertedGuide = {...sources, chapters, pages}
+  return {
+    chapters,
+    textOf,
+    searchIndex: searchIndexOf(guide),
+    pictures: [...references.pictures],
+    faults: [
+      ...[...pages].flatMap(([file, page]) => page.faults.map(fault => `${file}: ${fault}`)),
+      ...references.faults(pages),
+    ],
+    html: (files, pictureAddress) => htmlOf(guide, files, pictureAddress),
+  }
+}
+
+function sourcesOf(root: string, chapters: readonly Chapter[]): Sources {
   const english: readonly Source[] = chapters.flatMap(chapter =>
     chapter.pages.map(page => ({...page, language: "en"})),
   )
   const languages = translations(root)
-  const sources: readonly Source[] = [
-    ...english,
-    ...languages.flatMap(language =>
-      english
-        .filter(({file}) => isTranslated(root, file, language))
-        .map(({file, name}) => ({file: translatedFile(file, language), name, language})),
-    ),
-  ]
+  const translated = languages.flatMap(language =>
+    english
+      .filter(({file}) => isTranslated(root, file, language))
+      .map(({file, name}) => ({file: translatedFile(file, language), name, language})),
+  )
+  return {english, languages, all: [...english, ...translated]}
+}
+
+/// What the pages refer to: other pages, pictures and programs, by their `addresses`. Pictures and links into pages are collected while pages are converted.
+function openReferences(root: string, sources: readonly Source[], addresses: ReadonlyMap<string, string>) {
   const byFile = new Map(sources.map(source => [source.file, source]))
-  const texts = new Map(sources.map(({file}) => [file, textOf(file)]))
-  const addresses = await openAddresses([...texts.values()])
   const pictures = new Set<string>()
   /// Links into pages, which are checked when all pages are converted.
   const anchored: {from: string; to: string; anchor: string}[] = []
@@ -96,78 +139,80 @@ export async function readSite(root: string): Promise<Site> {
       openAddress: (program, room) => `${up}../${addresses.get(projectOf(program, room)) ?? ""}`,
     }
   }
-
-  const pages = new Map<string, ConvertedPage>(
-    sources.map(source => [
-      source.file,
-      convertMarkdown(texts.get(source.file) ?? "", resolverOf(source), guideWords(source.language)),
-    ]),
-  )
-  const faults = [...pages].flatMap(([file, page]) => page.faults.map(fault => `${file}: ${fault}`))
-  for (const {from, to, anchor} of anchored)
-    if (pages.get(to)?.anchors.has(anchor) !== true)
-      faults.push(`${from}: links to ${to}#${anchor}, which does not exist`)
-
-  /// The page of a name in a language, else in English.
-  const sourceOf = (name: string, language: string): Source => {
-    const found = sources.filter(source => source.name === name)
-    return (found.find(source => source.language === language) ?? found[0]) as Source
+  return {
+    resolverOf,
+    pictures,
+    /// Links to places in pages that are not there.
+    faults: (pages: ReadonlyMap<string, ConvertedPage>): readonly string[] =>
+      anchored
+        .filter(({to, anchor}) => pages.get(to)?.anchors.has(anchor) !== true)
+        .map(({from, to, anchor}) => `${from}: links to ${to}#${anchor}, which does not exist`),
   }
-  const editionOf = ({name, language}: Source): Edition => ({
+}
+
+/// The page of a name in a language, else in English.
+function sourceOf({all}: Sources, name: string, language: string): Source {
+  const found = all.filter(source => source.name === name)
+  return (found.find(source => source.language === language) ?? found[0]) as Source
+}
+
+function editionOf(guide: ConvertedGuide, {name, language}: Source): Edition {
+  return {
     language,
     up: upFrom(language),
-    chapters: chapters.map(({title, translated, folded = false, pages: inside}) => ({
+    chapters: guide.chapters.map(({title, translated, folded = false, pages: inside}) => ({
       folded,
       title: translated?.[language] ?? title,
       pages: inside.map(page => page.name),
     })),
     pages: new Map(
-      english.map(page => {
-        const source = sourceOf(page.name, language)
-        const title = pages.get(source.file)?.title ?? page.name
+      guide.english.map(page => {
+        const source = sourceOf(guide, page.name, language)
+        const title = guide.pages.get(source.file)?.title ?? page.name
         return [page.name, {title, address: addressFrom(language, source), language: source.language}]
       }),
     ),
     alternates: new Map(
-      sources
+      guide.all
         .filter(source => source.name === name && source.language !== language)
         .map(source => [source.language, addressFrom(language, source)]),
     ),
-  })
-
-  return {
-    chapters,
-    textOf,
-    searchIndex: new Map(
-      ["en", ...languages].map(language => [
-        language,
-        english.flatMap(({name}) => {
-          const source = sourceOf(name, language)
-          const {title, sections} = pages.get(source.file) as ConvertedPage
-          const page = addressFrom(language, source)
-          return sections.map(({anchor, heading, text}) => ({page, title, anchor, heading, text}))
-        }),
-      ]),
-    ),
-    pictures: [...pictures],
-    faults,
-    html: (files, pictureAddress) =>
-      new Map(
-        sources.map(source => {
-          const {name, language} = source
-          const {title, html} = pages.get(source.file) as ConvertedPage
-          const shown = html.replace(
-            /(src|srcset)="picture:([^"]+)/g,
-            (_, attribute: string, path: string) =>
-              `${attribute}="${upFrom(language)}${pictureAddress(path)}`,
-          )
-          return [
-            language === "en" ? name : `${language}/${name}`,
-            layOut({name, language, title, html: shown}, editionOf(source), files),
-          ]
-        }),
-      ),
   }
+}
+
+function searchIndexOf(guide: ConvertedGuide): Site["searchIndex"] {
+  return new Map(
+    ["en", ...guide.languages].map(language => [
+      language,
+      guide.english.flatMap(({name}) => {
+        const source = sourceOf(guide, name, language)
+        const {title, sections} = guide.pages.get(source.file) as ConvertedPage
+        const page = addressFrom(language, source)
+        return sections.map(({anchor, heading, text}) => ({page, title, anchor, heading, text}))
+      }),
+    ]),
+  )
+}
+
+function htmlOf(
+  guide: ConvertedGuide,
+  files: SharedFiles,
+  pictureAddress: (path: string) => string,
+): ReadonlyMap<string, string> {
+  return new Map(
+    guide.all.map(source => {
+      const {name, language} = source
+      const {title, html} = guide.pages.get(source.file) as ConvertedPage
+      const shown = html.replace(
+        /(src|srcset)="picture:([^"]+)/g,
+        (_, attribute: string, path: string) => `${attribute}="${upFrom(language)}${pictureAddress(path)}`,
+      )
+      return [
+        language === "en" ? name : `${language}/${name}`,
+        layOut({name, language, title, html: shown}, editionOf(guide, source), files),
+      ]
+    }),
+  )
 }
 
 /// From a page of a language to the folder of the guide.

@@ -114,31 +114,24 @@ export function openController(): AppController {
   watchKeys(store, controller)
   sendAlive(store, parts)
   storeAccess(store)
-  const classMode = openClassMode(() =>
-    loadClass({
-      store,
-      loader,
-      editor,
-      parts,
-      shelf: programStore,
-      storage,
-      code: classCode,
-      reveal: controller.showFinding,
-    }),
-  )
+  const page: PageOfClass = {
+    store,
+    loader,
+    editor,
+    parts,
+    shelf: programStore,
+    storage,
+    code: classCode,
+    reveal: controller.showFinding,
+  }
+  const classMode = openClassMode(() => loadClass(page))
   connectService(store, parts, completions, classMode.announced)
   const canStore = isEmbedded() || storage.isPersistent
   loadResources(store, parts, loader, requests, canStore, first => {
-    if (first !== "chosen") {
-      resumeLesson(store, loader, storage)
-      resumeDraft(store, storage)
-    }
+    if (first !== "chosen") resumeLessons(page)
     if (first === "linked" && runsAtOnce && store.now.robots.held === null) controller.run()
     classMode.programOpened()
-    if (isBoardGuest())
-      void import("../classroom/sharing/board_guest.ts").then(({openBoardGuest}) =>
-        openBoardGuest(store, parts, loader, editor),
-      )
+    if (isBoardGuest()) loadBoardGuest(page)
   })
   return controller
 }
@@ -147,6 +140,19 @@ export function openController(): AppController {
 function loadClass(page: PageOfClass): void {
   if (isEmbedded()) return
   void import("../classroom/pupil/classroom.tsx").then(({openClassroom}) => openClassroom(page))
+}
+
+/// Loads what the teacher's board does with a pupil's program that it shows.
+function loadBoardGuest({store, parts, loader, editor}: PageOfClass): void {
+  void import("../classroom/sharing/board_guest.ts").then(({openBoardGuest}) =>
+    openBoardGuest(store, parts, loader, editor),
+  )
+}
+
+/// Goes on with the lesson and the draft that this tab had open.
+function resumeLessons({store, loader, storage}: PageOfClass): void {
+  resumeLesson(store, loader, storage)
+  resumeDraft(store, storage)
 }
 
 /// The blocks and the room; on the teacher's board the text as well, because a line of it can be chosen.

@@ -28,7 +28,7 @@ const programKey = (id: string) => `rosy.program.${id}`
 const pictureKey = (id: string) => `rosy.picture.${id}`
 const roomKey = (id: string) => `rosy.room.${id}`
 
-export interface ProgramStore {
+export interface ProgramStore extends TabSession, PreferenceStore {
   /// Programs that this function names are in no list and are not opened from now on: those of another class.
   hide(isHidden: (id: string) => boolean): void
   /// The programs that are not deleted; the one that was changed last comes first.
@@ -56,7 +56,11 @@ export interface ProgramStore {
   setReplacedRoom(id: string, room: ReplacedRoom | null): void
   /// This tab has that program open; `null` is one that has no place yet.
   setCurrent(id: string | null): void
-  /// What this tab keeps over a reload: the steps of undo around the program as it is, and where the learner was in it.
+}
+
+/// What a tab keeps over a reload, beside the program that it had open.
+interface TabSession {
+  /// The steps of undo around the program as it is, and where the learner was in it.
   undoSteps(): string | null
   setUndoSteps(text: string | null): void
   /// The example that this tab has changed into a program of the learner's own. A browser that reloads within milliseconds of the change still requests the example's address.
@@ -64,6 +68,9 @@ export interface ProgramStore {
   setLeft(example: string | null): void
   readingPosition(): ReadingPosition | null
   setReadingPosition(place: ReadingPosition): void
+}
+
+interface PreferenceStore {
   /// How much of the language the toolbox shows, when the learner has chosen.
   level(): Level | null
   setLevel(level: Level): void
@@ -78,25 +85,84 @@ export function openProgramStore(
   tab: Storage,
   madeWay: (names: readonly string[]) => void = () => {},
 ): ProgramStore {
-  const read = (key: string, from = storage): string | null => {
-    try {
-      return from.getItem(key)
-    } catch (fault) {
-      if (fault instanceof DOMException) return null
-      throw fault
-    }
-  }
-  const write = (key: string, text: string, to = storage): boolean => tryToStore(to, key, text)
-  const kept = (): readonly StoredProgram[] => {
-    const text = read(indexKey)
-    const found = decode(index, text === null ? [] : parseJson(text))
-    return found.kind === "ok" ? found.value : []
-  }
   let isHidden: (id: string) => boolean = () => false
+  const {kept, setKept, makeRoom, insert, rename, change} = openProgramList(storage, gone => {
+    const names = gone.filter(({id}) => !isHidden(id)).map(({name}) => name)
+    if (names.length > 0) madeWay(names)
+  })
   const deleted = () =>
     kept()
       .filter(program => program.deletedAt !== null && !isHidden(program.id))
       .sort((a, b) => (b.deletedAt ?? 0) - (a.deletedAt ?? 0))
+  return {
+    hide(is) {
+      isHidden = is
+    },
+    programs: () => kept().filter(program => program.deletedAt === null && !isHidden(program.id)),
+    deleted,
+    current() {
+      const gone = deleted().map(program => program.id)
+      for (const id of [readText(tab, currentKey), readText(storage, currentKey)]) {
+        const text =
+          id === null || id === "" || gone.includes(id) || isHidden(id)
+            ? null
+            : readText(storage, programKey(id))
+        if (id !== null && text !== null) return {id, text}
+      }
+      return null
+    },
+    read: id => readText(storage, programKey(id)),
+    keyOf: programKey,
+    save(id, name, text, at) {
+      const ok = insert(id, name, text, at)
+      if (ok) {
+        tryToStore(storage, currentKey, id)
+        tryToStore(tab, currentKey, id)
+      }
+      return ok
+    },
+    insert,
+    rename,
+    remove(id, at) {
+      const programs = change(id, {deletedAt: at})
+      if (setKept(programs)) return
+      // The list is longer by the time: programs that were deleted before make way, and a picture that can be drawn again.
+      storage.removeItem(pictureKey(id))
+      makeRoom(programs, 1)
+    },
+    restore(id) {
+      setKept(change(id, {deletedAt: null}))
+    },
+    picture: id => readText(storage, pictureKey(id)),
+    setPicture(id, picture) {
+      tryToStore(storage, pictureKey(id), picture)
+    },
+    replacedRoom(id) {
+      const text = readText(storage, roomKey(id))
+      const found = decode(replacedRoom, text === null ? undefined : parseJson(text))
+      return found.kind === "ok" ? found.value : null
+    },
+    setReplacedRoom(id, replaced) {
+      if (replaced !== null) tryToStore(storage, roomKey(id), JSON.stringify(replaced))
+      else if (readText(storage, roomKey(id)) !== null) storage.removeItem(roomKey(id))
+    },
+    setCurrent(id) {
+      tryToStore(tab, currentKey, id ?? "")
+      if (id !== null) tryToStore(storage, currentKey, id)
+    },
+    ...tabSession(tab),
+    ...storedPreferences(storage),
+  }
+}
+
+/// The programs of the storage, deleted ones among them, and their texts. `madeWay` gets those that were removed for good because the
+/// storage is full.
+function openProgramList(storage: Storage, madeWay: (gone: readonly StoredProgram[]) => void) {
+  const kept = (): readonly StoredProgram[] => {
+    const text = readText(storage, indexKey)
+    const found = decode(index, text === null ? [] : parseJson(text))
+    return found.kind === "ok" ? found.value : []
+  }
   const outdatedOf = (programs: readonly StoredProgram[], most: number): readonly StoredProgram[] =>
     programs
       .filter(program => program.deletedAt !== null)
@@ -110,17 +176,21 @@ export function openProgramStore(
       storage.removeItem(pictureKey(id))
       storage.removeItem(roomKey(id))
     }
-    return write(indexKey, JSON.stringify(programs.filter(program => !outdated.includes(program))))
+    return tryToStore(
+      storage,
+      indexKey,
+      JSON.stringify(programs.filter(program => !outdated.includes(program))),
+    )
   }
   /// Writes the list with `most` deleted programs, because the storage is full; says which ones are gone.
   const makeRoom = (programs: readonly StoredProgram[], most: number): void => {
-    const gone = outdatedOf(programs, most).filter(({id}) => !isHidden(id))
+    const gone = outdatedOf(programs, most)
     setKept(programs, most)
-    if (gone.length > 0) madeWay(gone.map(({name}) => name))
+    madeWay(gone)
   }
   /// Writes what must not be lost: when the storage is full, deleted programs make way.
   const writeProgram = (id: string, text: string, programs: readonly StoredProgram[]): boolean => {
-    const put = (list: readonly StoredProgram[]) => write(programKey(id), text) && setKept(list)
+    const put = (list: readonly StoredProgram[]) => tryToStore(storage, programKey(id), text) && setKept(list)
     if (put(programs)) return true
     makeRoom(kept(), 0)
     if (put(programs.filter(program => program.deletedAt === null))) return true
@@ -132,91 +202,57 @@ export function openProgramStore(
     writeProgram(id, text, [{id, name, at, deletedAt: null}, ...kept().filter(program => program.id !== id)])
   const change = (id: string, to: Partial<StoredProgram>): readonly StoredProgram[] =>
     kept().map(program => (program.id === id ? {...program, ...to} : program))
+  const rename = (id: string, name: string, text: string) => writeProgram(id, text, change(id, {name}))
+  return {kept, setKept, makeRoom, insert, rename, change}
+}
+
+function tabSession(tab: Storage): TabSession {
   return {
-    hide(is) {
-      isHidden = is
-    },
-    programs: () => kept().filter(program => program.deletedAt === null && !isHidden(program.id)),
-    deleted,
-    current() {
-      const gone = deleted().map(program => program.id)
-      for (const id of [read(currentKey, tab), read(currentKey)]) {
-        const text =
-          id === null || id === "" || gone.includes(id) || isHidden(id) ? null : read(programKey(id))
-        if (id !== null && text !== null) return {id, text}
-      }
-      return null
-    },
-    read: id => read(programKey(id)),
-    keyOf: programKey,
-    save(id, name, text, at) {
-      const ok = insert(id, name, text, at)
-      if (ok) {
-        write(currentKey, id)
-        write(currentKey, id, tab)
-      }
-      return ok
-    },
-    insert,
-    rename: (id, name, text) => writeProgram(id, text, change(id, {name})),
-    remove(id, at) {
-      const programs = change(id, {deletedAt: at})
-      if (setKept(programs)) return
-      // The list is longer by the time: programs that were deleted before make way, and a picture that can be drawn again.
-      storage.removeItem(pictureKey(id))
-      makeRoom(programs, 1)
-    },
-    restore(id) {
-      setKept(change(id, {deletedAt: null}))
-    },
-    picture: id => read(pictureKey(id)),
-    setPicture(id, picture) {
-      write(pictureKey(id), picture)
-    },
-    replacedRoom(id) {
-      const text = read(roomKey(id))
-      const found = decode(replacedRoom, text === null ? undefined : parseJson(text))
-      return found.kind === "ok" ? found.value : null
-    },
-    setReplacedRoom(id, replaced) {
-      if (replaced !== null) write(roomKey(id), JSON.stringify(replaced))
-      else if (read(roomKey(id)) !== null) storage.removeItem(roomKey(id))
-    },
-    setCurrent(id) {
-      write(currentKey, id ?? "", tab)
-      if (id !== null) write(currentKey, id)
-    },
-    undoSteps: () => read(stepsKey, tab),
+    undoSteps: () => readText(tab, stepsKey),
     setUndoSteps(text) {
       // Steps that there is no room for must not leave older ones behind.
-      if (text === null || !write(stepsKey, text, tab)) write(stepsKey, "", tab)
+      if (text === null || !tryToStore(tab, stepsKey, text)) tryToStore(tab, stepsKey, "")
     },
-    left: () => read(leftKey, tab) || null,
+    left: () => readText(tab, leftKey) || null,
     setLeft(example) {
-      write(leftKey, example ?? "", tab)
+      tryToStore(tab, leftKey, example ?? "")
     },
     readingPosition() {
-      const text = read(placeKey, tab)
+      const text = readText(tab, placeKey)
       const found = decode(whereabouts, text === null ? undefined : parseJson(text))
       return found.kind === "ok" ? found.value : null
     },
     setReadingPosition(place) {
-      write(placeKey, JSON.stringify(place), tab)
+      tryToStore(tab, placeKey, JSON.stringify(place))
     },
+  }
+}
+
+function storedPreferences(storage: Storage): PreferenceStore {
+  return {
     level() {
-      const found = decode(oneOf("tasks", "reactions", "haskell"), read(levelKey))
+      const found = decode(oneOf("tasks", "reactions", "haskell"), readText(storage, levelKey))
       return found.kind === "ok" ? found.value : null
     },
     setLevel(level) {
-      write(levelKey, level)
+      tryToStore(storage, levelKey, level)
     },
     preferences() {
-      const text = read(likingKey)
+      const text = readText(storage, likingKey)
       const found = decode(liking, text === null ? {} : parseJson(text))
       return found.kind === "ok" ? found.value : {}
     },
     setPreferences(now) {
-      write(likingKey, JSON.stringify(now))
+      tryToStore(storage, likingKey, JSON.stringify(now))
     },
+  }
+}
+
+function readText(from: Storage, key: string): string | null {
+  try {
+    return from.getItem(key)
+  } catch (fault) {
+    if (fault instanceof DOMException) return null
+    throw fault
   }
 }

@@ -6,6 +6,7 @@ import {fragmentOf} from "../../browser/share_link.ts"
 import {type BrowserStorage, tryToStore} from "../../storage/browser_storage.ts"
 import type {BoardRequest, BoardTask, PupilShown} from "../../wire/classroom/board_messages.generated.ts"
 import type {RunShown} from "../../wire/classroom/check_messages.generated.ts"
+import type {Refusal} from "../../wire/classroom/message_fields.generated.ts"
 import {words} from "../../words/index.ts"
 import {type BoardMessage, readBoardMessage} from "../messages/board_messages.ts"
 import {openClassSocket} from "../messages/class_socket.ts"
@@ -59,23 +60,8 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
           results: new Map(),
         })
       } else if (message.op === "refused") {
-        if (message.reason === "key" || message.reason === "attempts") {
-          storage.tab.removeItem(teacherKey)
-          change({refused: words.classroom.refused[message.reason], class: null})
-        } else if (
-          message.reason === "deadline" ||
-          message.reason === "tasks" ||
-          message.reason === "disk" ||
-          message.reason === "database"
-        )
-          change({taskRefused: words.classroom.board.refused[message.reason]})
-        else if (message.reason === "comments")
-          change({commentRefused: words.classroom.board.refused.comments})
-        else if (isRosterRefusal(message.reason))
-          change({rosterRefused: words.classroom.board.roster.refused[message.reason]})
-        else if (message.reason === "busy" || message.reason === "away")
-          change({sharingRefused: words.classroom.board.refused[message.reason]})
-        else if (message.reason === "rooms") change({checkRefused: words.classroom.board.check.refused})
+        if (message.reason === "key" || message.reason === "attempts") storage.tab.removeItem(teacherKey)
+        showRefusal(message.reason)
       } else if (message.op === "door") change({door: {locked: message.locked, removed: message.removed}})
       else if (message.op === "pupils-added")
         change({added: {added: message.added, refused: message.refused}})
@@ -149,6 +135,18 @@ const rosterRequests: readonly BoardRequest["op"][] = [
   "restore-pupil",
   "merge-pupils",
 ]
+
+function showRefusal(reason: Refusal): void {
+  const w = words.classroom.board
+  if (reason === "key" || reason === "attempts")
+    change({refused: words.classroom.refused[reason], class: null})
+  else if (reason === "deadline" || reason === "tasks" || reason === "disk" || reason === "database")
+    change({taskRefused: w.refused[reason]})
+  else if (reason === "comments") change({commentRefused: w.refused.comments})
+  else if (isRosterRefusal(reason)) change({rosterRefused: w.roster.refused[reason]})
+  else if (reason === "busy" || reason === "away") change({sharingRefused: w.refused[reason]})
+  else if (reason === "rooms") change({checkRefused: w.check.refused})
+}
 
 /// Who is not in the class any more is not selected.
 function showPupils(pupils: readonly PupilShown[], mostIdle: boolean): void {

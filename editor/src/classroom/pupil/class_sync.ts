@@ -11,7 +11,8 @@ import type {
   Reason,
   SaveFailed,
 } from "../../wire/classroom/pupil_messages.generated.ts"
-import type {Membership, Memberships, SyncRecord} from "../messages/membership.ts"
+import type {Memberships} from "../messages/membership.ts"
+import {LocalPrograms, type Naming} from "./local_programs.ts"
 
 /// The page's open program, as synchronization needs it.
 export interface OpenProgram {
@@ -43,201 +44,237 @@ export interface ClassSync {
   state(): SyncState
 }
 
-/// `saving` while a request waits for its answer or a text could not be sent yet; else why the service could not store one.
 /// Why the class could not store a program: `full` when the pupil's share of the disk is.
 export type SaveFault = SaveFailed["reason"]
 
+/// `saving` while a request waits for its answer or a text could not be sent yet; else why the service could not store one.
 export type SyncState = "saved" | "saving" | SaveFault
-
-/// A name for a copy, and an entry for it.
-export interface Naming {
-  name(of: string, others: readonly {readonly name: string}[]): string
-  place(): string
-  /// The project file with another name.
-  renamed(text: string, name: string): string
-}
 
 interface Request {
   readonly program: string
   readonly hash: string
 }
 
-export function openClassSync(
+/// What is on its way to the service and back, and what could not be sent or stored.
+class PendingRequests {
+  /// Requests to save, by their marks.
+  readonly saves = new Map<string, Request>()
+  /// Programs that were asked for.
+  readonly reads = new Set<string>()
+  /// Programs whose newest text is not on its way.
+  readonly behind = new Set<string>()
+  /// Programs that the service could not store, and why.
+  readonly unstored = new Map<string, SaveFault>()
+
+  isSaving(program: string): boolean {
+    return [...this.saves.values()].some(request => request.program === program)
+  }
+
+  /// No answer comes any more.
+  forgetRequests(): void {
+    this.saves.clear()
+    this.reads.clear()
+  }
+
+  state(): SyncState {
+    const [fault] = this.unstored.values()
+    if (fault !== undefined) return fault
+    return this.saves.size > 0 || this.behind.size > 0 || this.reads.size > 0 ? "saving" : "saved"
+  }
+}
+
+export const openClassSync = (
   memberships: Memberships,
   shelf: ProgramStore,
   open: OpenProgram,
   naming: Naming,
   send: (message: PupilRequest) => boolean,
   changed: () => void,
-): ClassSync {
-  const waiting = new Map<string, Request>()
-  /// Programs that were read because the page opens them.
-  let toOpen: string | null = null
-  /// Programs that were asked for.
-  const reading = new Set<string>()
-  /// Programs whose newest text is not on its way.
-  const behind = new Set<string>()
-  /// Programs that the service could not store, and why.
-  const unstored = new Map<string, SaveFault>()
+): ClassSync => new Synchronization(new LocalPrograms(memberships, shelf, naming), open, send, changed)
 
-  const update = (change: (now: Membership) => Membership) => {
-    const now = memberships.read()
-    if (now !== null) memberships.write(change(now))
-  }
-  const recordOf = (id: string): SyncRecord | undefined => memberships.read()?.programs[id]
-  const setRecord = (id: string, record: SyncRecord) =>
-    update(now => ({...now, programs: {...now.programs, [id]: record}}))
-  const read = (program: string) => {
-    if (send({op: "read", program})) reading.add(program)
-  }
-  /// The text of a program that is in the list.
-  const listed = (id: string) => shelf.programs().find(program => program.id === id)
-  const textOf = (id: string) => (listed(id) === undefined ? null : shelf.read(id))
+class Synchronization implements ClassSync {
+  private readonly programs: LocalPrograms
+  private readonly open: OpenProgram
+  private readonly send: (message: PupilRequest) => boolean
+  private readonly changed: () => void
+  private readonly pending = new PendingRequests()
+  /// A program that was read because the page opens it.
+  private toOpen: string | null = null
 
-  const push = (id: string, reason: Reason) => {
-    const text = textOf(id)
+  constructor(
+    programs: LocalPrograms,
+    open: OpenProgram,
+    send: (message: PupilRequest) => boolean,
+    changed: () => void,
+  ) {
+    this.programs = programs
+    this.open = open
+    this.send = send
+    this.changed = changed
+  }
+
+  entered(programs: readonly ProgramName[], isNew: boolean): void {
+    const {open} = this
+    open.store()
+    this.pending.forgetRequests()
+    this.pending.unstored.clear()
+    const newest = programs[0]
+    this.toOpen = isNew && newest !== undefined ? newest.id : null
+    const local = this.toOpen === null ? null : this.programs.textOf(this.toOpen)
+    if (this.toOpen !== null && local !== null && open.id() !== this.toOpen) open.show(this.toOpen, local)
+    this.compare(programs)
+    this.changed()
+  }
+
+  heard(message: PupilAnswer & {readonly op: "program" | "saved" | "conflict" | "unsaved"}): void {
+    const {saves, reads, behind, unstored} = this.pending
+    const {program} = message
+    if (message.op === "program") {
+      reads.delete(program)
+      this.received(program, message.version, message.name, message.text)
+    } else {
+      const request = saves.get(message.mark)
+      saves.delete(message.mark)
+      if (message.op === "unsaved") unstored.set(program, message.reason)
+      else unstored.delete(program)
+      if (message.op === "saved" && request !== undefined) {
+        this.programs.setRecord(program, {version: message.version, hash: request.hash, marks: []})
+        if (behind.has(program)) this.push(program, "change")
+      } else if (message.op === "conflict")
+        this.becomeTwo(program, message.version, message.name, message.text)
+    }
+    this.changed()
+  }
+
+  save(reason: Reason): void {
+    this.saveOpen(reason, reason === "run")
+  }
+
+  saveOpened(reason: Reason): void {
+    this.saveOpen(reason, true)
+  }
+
+  lost(): void {
+    for (const {program} of this.pending.saves.values()) this.pending.behind.add(program)
+    this.pending.forgetRequests()
+    this.changed()
+  }
+
+  left(): void {
+    this.open.store()
+    const id = this.open.id()
+    if (id !== null && this.programs.recordOf(id) === undefined)
+      this.programs.setRecord(id, {version: 0, hash: "", marks: []})
+    this.pending.forgetRequests()
+    this.pending.behind.clear()
+    this.pending.unstored.clear()
+    this.toOpen = null
+  }
+
+  retry(): void {
+    for (const [id, fault] of [...this.pending.unstored]) if (fault !== "full") this.push(id, "change")
+    for (const id of [...this.pending.reads]) this.read(id)
+    this.changed()
+  }
+
+  state(): SyncState {
+    return this.pending.state()
+  }
+
+  private read(program: string): void {
+    if (this.send({op: "read", program})) this.pending.reads.add(program)
+  }
+
+  /// Compares all programs of the browser with those of the service.
+  private compare(programs: readonly ProgramName[]): void {
+    const known = this.programs.records()
+    for (const {id, version} of programs) {
+      const record = known[id]
+      if (this.programs.textOf(id) === null) {
+        // A program with a record was here and is deleted.
+        if (record === undefined || this.toOpen === id) this.read(id)
+      } else if (record?.version === version) this.push(id, "change")
+      else this.read(id)
+    }
+    const there = new Set(programs.map(program => program.id))
+    const current = this.open.id()
+    for (const id of new Set([...Object.keys(known), ...(current === null ? [] : [current])]))
+      if (!there.has(id)) this.push(id, "change")
+  }
+
+  private saveOpen(reason: Reason, claims: boolean): void {
+    const {open} = this
+    open.store()
+    if (open.id() === null && claims) open.claim()
+    const id = open.id()
+    if (id !== null) this.push(id, reason)
+    this.changed()
+  }
+
+  private push(id: string, reason: Reason): void {
+    const {saves, behind, unstored} = this.pending
+    const text = this.programs.textOf(id)
     if (text === null) return
-    const record = recordOf(id) ?? {version: 0, hash: "", marks: []}
+    const record = this.programs.recordOf(id) ?? {version: 0, hash: "", marks: []}
     const hash = hashOf(text)
     if (record.hash === hash && record.marks.length === 0) {
       behind.delete(id)
       unstored.delete(id)
       return
     }
-    if ([...waiting.values()].some(request => request.program === id)) {
+    if (this.pending.isSaving(id)) {
       behind.add(id)
       return
     }
     // A request that is repeated keeps its mark, so that repetitions do not displace the marks of others.
-    const mark = (unstored.has(id) ? record.marks.at(-1) : undefined) ?? naming.place()
-    const name = listed(id)?.name ?? ""
+    const mark = (unstored.has(id) ? record.marks.at(-1) : undefined) ?? this.programs.newPlace()
+    const name = this.programs.nameOf(id)
     const {version: base, marks: unacknowledged} = record
     behind.delete(id)
     // Before it is sent: a page that ends now must know later what the service may have stored.
-    setRecord(id, {...record, marks: [...new Set([...unacknowledged, mark])].slice(-mostMarks)})
-    const sent = send({op: "save", program: id, name, text, reason, base, mark, unacknowledged})
-    if (sent) waiting.set(mark, {program: id, hash})
+    this.programs.setRecord(id, {...record, marks: [...new Set([...unacknowledged, mark])].slice(-mostMarks)})
+    const sent = this.send({op: "save", program: id, name, text, reason, base, mark, unacknowledged})
+    if (sent) saves.set(mark, {program: id, hash})
     else {
-      setRecord(id, record)
+      this.programs.setRecord(id, record)
       behind.add(id)
     }
   }
-  const copyApart = (id: string): string | null => {
-    const text = textOf(id)
-    if (text === null) return null
-    const name = naming.name(listed(id)?.name ?? "", shelf.programs())
-    const copy = naming.place()
-    return shelf.insert(copy, name, naming.renamed(text, name), Date.now()) ? copy : null
-  }
-  /// The service's version takes the entry; what the browser has instead becomes a program of its own.
-  const becomeTwo = (id: string, version: number, name: string, text: string) => {
-    if (open.id() === id) {
-      open.store()
-      if (!shelf.insert(id, name, text, Date.now())) return
-      setRecord(id, {version, hash: hashOf(text), marks: []})
-      open.becomeTwo()
-      const copy = open.id()
-      if (copy !== null) push(copy, "change")
-      return
-    }
-    const copy = copyApart(id)
-    if (copy === null) return
-    if (shelf.insert(id, name, text, Date.now())) setRecord(id, {version, hash: hashOf(text), marks: []})
-    push(copy, "change")
-  }
-  const received = (id: string, version: number, name: string, text: string) => {
+
+  private received(id: string, version: number, name: string, text: string): void {
+    const {open, toOpen} = this
     if (open.id() === id) open.store()
-    const local = textOf(id)
-    const record = recordOf(id)
+    const local = this.programs.textOf(id)
+    const record = this.programs.recordOf(id)
     const hash = hashOf(text)
     const isUnchanged = local === null || local === text || hashOf(local) === record?.hash
     if (!isUnchanged) {
       // The service decides whether it is a conflict: it may have stored what was never answered.
-      push(id, "change")
+      this.push(id, "change")
       return
     }
-    if (local !== text && !shelf.insert(id, name, text, Date.now())) return
-    setRecord(id, {version, hash, marks: []})
+    if (local !== text && !this.programs.insert(id, name, text)) return
+    this.programs.setRecord(id, {version, hash, marks: []})
     if (local !== text && (open.id() === id || toOpen === id)) open.show(id, text)
     else if (toOpen === id && open.id() !== id) open.show(id, text)
   }
-  const save = (reason: Reason, claims: boolean) => {
-    open.store()
-    if (open.id() === null && claims) open.claim()
-    const id = open.id()
-    if (id !== null) push(id, reason)
-    changed()
-  }
-  return {
-    entered(programs, isNew) {
+
+  /// The service's version takes the entry; what the browser has instead becomes a program of its own.
+  private becomeTwo(id: string, version: number, name: string, text: string): void {
+    const {open, programs} = this
+    if (open.id() === id) {
       open.store()
-      waiting.clear()
-      reading.clear()
-      unstored.clear()
-      const newest = programs[0]
-      toOpen = isNew && newest !== undefined ? newest.id : null
-      const local = toOpen === null ? null : textOf(toOpen)
-      if (toOpen !== null && local !== null && open.id() !== toOpen) open.show(toOpen, local)
-      const known = memberships.read()?.programs ?? {}
-      for (const {id, version} of programs) {
-        const record = known[id]
-        if (textOf(id) === null) {
-          // A program with a record was here and is deleted.
-          if (record === undefined || toOpen === id) read(id)
-        } else if (record?.version === version) push(id, "change")
-        else read(id)
-      }
-      const there = new Set(programs.map(program => program.id))
-      const current = open.id()
-      for (const id of new Set([...Object.keys(known), ...(current === null ? [] : [current])]))
-        if (!there.has(id)) push(id, "change")
-      changed()
-    },
-    heard(message) {
-      const {program} = message
-      if (message.op === "program") {
-        reading.delete(program)
-        received(program, message.version, message.name, message.text)
-      } else {
-        const request = waiting.get(message.mark)
-        waiting.delete(message.mark)
-        if (message.op === "unsaved") unstored.set(program, message.reason)
-        else unstored.delete(program)
-        if (message.op === "saved" && request !== undefined) {
-          setRecord(program, {version: message.version, hash: request.hash, marks: []})
-          if (behind.has(program)) push(program, "change")
-        } else if (message.op === "conflict") becomeTwo(program, message.version, message.name, message.text)
-      }
-      changed()
-    },
-    save: reason => save(reason, reason === "run"),
-    saveOpened: reason => save(reason, true),
-    lost() {
-      for (const {program} of waiting.values()) behind.add(program)
-      waiting.clear()
-      reading.clear()
-      changed()
-    },
-    left() {
-      open.store()
-      const id = open.id()
-      if (id !== null && recordOf(id) === undefined) setRecord(id, {version: 0, hash: "", marks: []})
-      waiting.clear()
-      reading.clear()
-      behind.clear()
-      unstored.clear()
-      toOpen = null
-    },
-    retry() {
-      for (const [id, fault] of [...unstored]) if (fault !== "full") push(id, "change")
-      for (const id of [...reading]) read(id)
-      changed()
-    },
-    state() {
-      const [fault] = unstored.values()
-      if (fault !== undefined) return fault
-      return waiting.size > 0 || behind.size > 0 || reading.size > 0 ? "saving" : "saved"
-    },
+      if (!programs.insert(id, name, text)) return
+      programs.setRecord(id, {version, hash: hashOf(text), marks: []})
+      open.becomeTwo()
+      const copy = open.id()
+      if (copy !== null) this.push(copy, "change")
+      return
+    }
+    const copy = programs.copyApart(id)
+    if (copy === null) return
+    if (programs.insert(id, name, text)) programs.setRecord(id, {version, hash: hashOf(text), marks: []})
+    this.push(copy, "change")
   }
 }
 

@@ -36,15 +36,10 @@ export function lessonEditorCommands(
     const draft = now()
     if (draft !== null) rehearsals.start(draft)
   }
+  const openProgram = programOpener(loader)
   const show = (draft: LessonDraft) => {
     store.dispatch({kind: "dialog", dialog: null})
     dispatch({kind: "draft-opened", draft})
-  }
-  /// What was open on the page before a trial.
-  let before: {readonly name: string; readonly text: string; readonly id: string | null} | null = null
-  const openProgram = (draft: LessonDraft, haskell: string, room: WorldFile, inLesson: boolean) => {
-    const name = titleOf(draft)
-    loader.openText(name, saveProject({...newProject(name), haskell, world: room}), {inLesson})
   }
   return {
     edit,
@@ -85,9 +80,39 @@ export function lessonEditorCommands(
     },
     rehearsal: rehearsals.latest,
     rehearse,
+    ...trialCommands(store, loader, editor, rehearse),
+    save() {
+      const draft = now()
+      if (draft !== null)
+        download(fileName(titleOf(draft), "json"), lessonText(draft, "teacher"), "application/json")
+    },
+    link: async draft =>
+      `${window.location.origin}/${await fragmentOf(lessonText(draft, "pupil"), "lesson")}`,
+  }
+}
+
+/// Opens a program of a draft, in its lesson or beside it.
+const programOpener =
+  (loader: ProgramLoader) => (draft: LessonDraft, haskell: string, room: WorldFile, inLesson: boolean) => {
+    const name = titleOf(draft)
+    loader.openText(name, saveProject({...newProject(name), haskell, world: room}), {inLesson})
+  }
+
+/// Trials of a draft: as a pupil would have it, with its solution, and back to what was open before.
+function trialCommands(
+  store: Store,
+  loader: ProgramLoader,
+  editor: DocumentEditor,
+  rehearse: () => void,
+): Pick<LessonEditorCommands, "tryOut" | "trySolution" | "back"> {
+  const dispatch = (event: LessonEvent) => store.dispatch({kind: "lesson", event})
+  const openProgram = programOpener(loader)
+  /// What was open on the page before a trial.
+  let before: {readonly name: string; readonly text: string; readonly id: string | null} | null = null
+  return {
     tryOut() {
       editor.flush()
-      const draft = now()
+      const draft = editedDraft(store.now.lessons)
       if (draft === null || mistakesOf(draft).length > 0) return
       const read = readLessonFile(lessonText(draft, "teacher"), draft.language)
       if (read.kind !== "lesson") return refuseLesson(store, titleOf(draft), read)
@@ -99,7 +124,7 @@ export function lessonEditorCommands(
     },
     trySolution() {
       const {open} = store.now.lessons
-      const draft = now()
+      const draft = editedDraft(store.now.lessons)
       if (open === null || draft === null || draft.solution === null) return
       openProgram(draft, draft.solution, open.lesson.room, true)
       // Opening a program chooses the room again; the service receives the step to check afterwards.
@@ -111,13 +136,6 @@ export function lessonEditorCommands(
       if (kept === null) dispatch({kind: "closed"})
       else loader.openText(kept.name, kept.text, {id: kept.id})
     },
-    save() {
-      const draft = now()
-      if (draft !== null)
-        download(fileName(titleOf(draft), "json"), lessonText(draft, "teacher"), "application/json")
-    },
-    link: async draft =>
-      `${window.location.origin}/${await fragmentOf(lessonText(draft, "pupil"), "lesson")}`,
   }
 }
 

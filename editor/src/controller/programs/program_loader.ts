@@ -9,7 +9,7 @@ import {takeBlockPicture} from "../../browser/block_picture.ts"
 import {addressFragment, exampleInAddress, setExampleInAddress} from "../../browser/browser_window.ts"
 import {noticeOf} from "../../browser/local_files.ts"
 import type {Store} from "../../browser/store.ts"
-import {emptyHistory} from "../../program/history.ts"
+import {type Document, emptyHistory, type History} from "../../program/history.ts"
 import {awaitsProgram, type Notice} from "../../state/page_state.ts"
 import type {ProgramStore} from "../../storage/program_store.ts"
 import type {ReadingPosition} from "../../storage/stored_values.ts"
@@ -105,10 +105,9 @@ export function openProgramLoader(
       const {document, world} = opening.opened
       project = opening.opened.project
       editor.typing.forget()
-      const {name} = project
       store.dispatch({
         kind: "followed",
-        name,
+        name: project.name,
         world,
         replacedRoom: roomOf(autosave.place()),
         document,
@@ -137,21 +136,17 @@ export function openProgramLoader(
     editor.typing.forget()
     project = opened.project
     const {document, world, isNew} = opened
-    const steps = reloaded ? stored.undoSteps() : null
-    const kept = parts.reader === null || steps === null ? null : parseHistory(parts.reader, steps, document)
-    const history = kept ?? emptyHistory
-    const replacedRoom = roomOf(id)
     const opening = {
       name: project.name,
       world,
       document,
-      history,
+      history: reloaded ? storedHistory(parts, stored, document) : emptyHistory,
       welcome,
       isFirstVisit,
       isNew,
       inLesson,
       isFirst,
-      replacedRoom,
+      replacedRoom: roomOf(id),
     }
     store.dispatch({kind: "opened", opened: opening})
     editor.showText()
@@ -173,26 +168,10 @@ export function openProgramLoader(
         offerRepair(store, name, text, [{start: 0, end: text.length}])
       }
     })
-  const openLiterate = (name: string, text: string) => {
-    const haskell = literateToHaskell(withoutMark(text))
-    if (haskell === null) return notify({kind: "not-program", name})
-    openText(name.replace(/\.lhs$/i, ".hs"), haskell, {isFile: true})
-  }
   return {
     openText,
     onOpening: heard => openings.push(heard),
-    openFile(path, file) {
-      // An accent that is a character of its own looks the same and is not found.
-      const name = path.slice(path.lastIndexOf("/") + 1).normalize("NFC")
-      if (file.kind !== "text") return notify(noticeOf(name, file))
-      const {text} = file
-      if (withoutMark(text).trim() === "") return notify({kind: "empty-file", name})
-      if (store.now.worldEditor !== null || isWorldFile(name, text))
-        store.dispatch({kind: "world-file-read", name, text})
-      else if (isLiterate(name)) openLiterate(name, text)
-      else if (isForeign(name, text)) notify({kind: "not-program", name})
-      else openText(name, text, {isFile: true})
-    },
+    openFile: fileOpener(store, openText),
     newProgram: () => deferral.open(reader => show(emptyProject(reader), {})),
     openDeferred() {
       deferral.release()
@@ -206,6 +185,35 @@ export function openProgramLoader(
     textEdited: autosave.edited,
     allowEditing: () => allowEditing(parts),
   }
+}
+
+/// Opens programs and rooms from the learner's disk.
+function fileOpener(store: Store, openText: ProgramLoader["openText"]): ProgramLoader["openFile"] {
+  const notify = (notice: Notice) => store.dispatch({kind: "notice", notice})
+  const openLiterate = (name: string, text: string) => {
+    const haskell = literateToHaskell(withoutMark(text))
+    if (haskell === null) return notify({kind: "not-program", name})
+    openText(name.replace(/\.lhs$/i, ".hs"), haskell, {isFile: true})
+  }
+  return (path, file) => {
+    // An accent that is a character of its own looks the same and is not found.
+    const name = path.slice(path.lastIndexOf("/") + 1).normalize("NFC")
+    if (file.kind !== "text") return notify(noticeOf(name, file))
+    const {text} = file
+    if (withoutMark(text).trim() === "") return notify({kind: "empty-file", name})
+    if (store.now.worldEditor !== null || isWorldFile(name, text))
+      store.dispatch({kind: "world-file-read", name, text})
+    else if (isLiterate(name)) openLiterate(name, text)
+    else if (isForeign(name, text)) notify({kind: "not-program", name})
+    else openText(name, text, {isFile: true})
+  }
+}
+
+/// The undo steps that were stored for the program before a reload.
+function storedHistory({reader}: PageParts, stored: ProgramStore, document: Document): History {
+  const steps = stored.undoSteps()
+  const kept = reader === null || steps === null ? null : parseHistory(reader, steps, document)
+  return kept ?? emptyHistory
 }
 
 interface ReadProgram {

@@ -27,51 +27,126 @@ export interface DiagramMount {
   update(state: PageState, now: number): void
 }
 
+/// What the page loads with the diagram.
+interface LoadedDiagram {
+  readonly view: DiagramView
+  readonly editing: NetworkEditing
+  readonly pendingParts: typeof pendingPartsOf
+}
+
 export function openDiagramMount(store: Store, parts: PageParts, editor: DocumentEditor): DiagramMount {
   let host: HTMLElement | null = null
-  let view: DiagramView | null = null
+  let loaded: LoadedDiagram | null = null
   let isLoading = false
-  let editing: NetworkEditing | null = null
-  let shown: readonly ProgramPart[] | null = null
-  let shownOf: unknown = null
-  let run: number | null = null
-  /// Seconds of the run up to which frames have been seen.
-  let seenTo = Number.NEGATIVE_INFINITY
-  let lookedAt: number | null = null
   let explained: Explanation | null = null
-  let pending: typeof pendingPartsOf | null = null
+  const followProgram = programFollower()
+  const followRun = runFollower(store)
 
-  const drawn = (outcome: PageState["diagram"]["outcome"]) => store.dispatch({kind: "diagram", outcome})
   const load = async (into: HTMLElement) => {
     isLoading = true
     try {
-      const [{openDiagram, pendingParts}, network] = await Promise.all([
-        import("../../views/diagram/index.ts"),
-        import("@rosy/codegen/network-edits"),
-      ])
-      pending = pendingParts
-      editing = networkEditing(network, store, parts, editor, name => chooseDefinition(store, parts, name))
-      view = openDiagram(into, {
-        words: words.diagram,
-        chosen: node => choose(store, parts, node),
-        valueClicked(node) {
-          const {room} = store.now
-          const time = room.lookedAt ?? room.frame?.time ?? null
-          const question = time === null || room.run === null ? undefined : nodeQuestions(node, time)[0]
-          if (question !== undefined) store.dispatch({kind: "why", event: {kind: "asked", question}})
-        },
-        lastOf: node => lastOf(store.now.room, node, words.why, measures),
-        typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
-        drawn,
-      })
+      loaded = await loadDiagram(into, store, parts, editor)
       store.redraw()
     } catch {
-      drawn("failed")
+      store.dispatch({kind: "diagram", outcome: "failed"})
     }
   }
 
-  const live = (state: PageState, diagram: DiagramView, now: number) => {
-    const {room} = state
+  return {
+    mount(into) {
+      host = into
+      // While a node may be asked for its last value, the page follows the firings.
+      const points = (isPointedAt: boolean) => store.dispatch({kind: "diagram-pointed", isPointedAt})
+      into.addEventListener("pointerenter", () => points(true))
+      into.addEventListener("pointerleave", () => points(false))
+      into.addEventListener("focusin", () => points(true))
+      into.addEventListener("focusout", () => points(false))
+    },
+    update(state, now) {
+      if (host === null || !isShown(state)) return
+      if (loaded === null) {
+        if (!isLoading) void load(host)
+        return
+      }
+      const {view} = loaded
+      followProgram(state, loaded)
+      const answer = state.why.open?.answer ?? null
+      if (answer !== explained) {
+        explained = answer
+        view.explain(answer === null ? noPath : causalPath(answer))
+      }
+      view.select(selectedDefinition(state.document.program, state.selected))
+      followRun(state, view, now)
+    },
+    commands: {
+      editing: () => loaded?.editing ?? null,
+      tidy: () => loaded?.view.tidy(),
+      list: path => loaded?.view.list(path) ?? [],
+      choose: id => loaded?.view.chooseById(id),
+      saveSvg() {
+        void loaded?.view.svgFile().then(file => download(nameOf(store, "svg"), file, "image/svg+xml"))
+      },
+      savePng() {
+        void loaded?.view.pngFile().then(file => file !== null && downloadBlob(nameOf(store, "png"), file))
+      },
+    },
+  }
+}
+
+async function loadDiagram(
+  host: HTMLElement,
+  store: Store,
+  parts: PageParts,
+  editor: DocumentEditor,
+): Promise<LoadedDiagram> {
+  const [{openDiagram, pendingParts}, network] = await Promise.all([
+    import("../../views/diagram/index.ts"),
+    import("@rosy/codegen/network-edits"),
+  ])
+  const editing = networkEditing(network, store, parts, editor, name => chooseDefinition(store, parts, name))
+  const view = openDiagram(host, {
+    words: words.diagram,
+    chosen: node => choose(store, parts, node),
+    valueClicked(node) {
+      const {room} = store.now
+      const time = room.lookedAt ?? room.frame?.time ?? null
+      const question = time === null || room.run === null ? undefined : nodeQuestions(node, time)[0]
+      if (question !== undefined) store.dispatch({kind: "why", event: {kind: "asked", question}})
+    },
+    lastOf: node => lastOf(store.now.room, node, words.why, measures),
+    typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
+    drawn: outcome => store.dispatch({kind: "diagram", outcome}),
+  })
+  return {view, editing, pendingParts}
+}
+
+/// Shows the parts of the program when they differ from those that are shown.
+function programFollower(): (state: PageState, diagram: LoadedDiagram) => void {
+  let shown: readonly ProgramPart[] | null = null
+  let shownOf: unknown = null
+  return (state, {view, editing, pendingParts}) => {
+    const {network, document} = state
+    // A program with an empty place is not reported; what its text says of it is shown all the same.
+    const isReported =
+      network !== null && (network.text === document.program.text || document.dimmed.length > 0)
+    const of = isReported ? network : document.workspace
+    if (of === shownOf || awaitsProgram(state)) return
+    shownOf = of
+    const defined = new Set(document.program.definitions.map(d => d.name))
+    const now = isReported ? network.parts : pendingParts(network?.parts ?? [], editing.written(), defined)
+    if (JSON.stringify(now) === JSON.stringify(shown)) return
+    shown = now
+    view.show(now, network?.text ?? document.program.text)
+  }
+}
+
+/// Shows the frames of the run that were not shown yet, or the one that is looked back at.
+function runFollower(store: Store): (state: PageState, diagram: DiagramView, now: number) => void {
+  let run: number | null = null
+  let lookedAt: number | null = null
+  /// Seconds of the run up to which frames have been seen.
+  let seenTo = Number.NEGATIVE_INFINITY
+  return ({room}, diagram, now) => {
     if (room.run !== run || room.lookedAt !== lookedAt) {
       diagram.clear()
       run = room.run
@@ -91,61 +166,6 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
     )
     seenTo = frames.at(-1)?.time ?? seenTo
     if (diagram.live(frames, now)) store.redraw()
-  }
-
-  return {
-    mount(into) {
-      host = into
-      // While a node may be asked for its last value, the page follows the firings.
-      const points = (isPointedAt: boolean) => store.dispatch({kind: "diagram-pointed", isPointedAt})
-      into.addEventListener("pointerenter", () => points(true))
-      into.addEventListener("pointerleave", () => points(false))
-      into.addEventListener("focusin", () => points(true))
-      into.addEventListener("focusout", () => points(false))
-    },
-    update(state, now) {
-      if (host === null || !isShown(state)) return
-      if (view === null) {
-        if (!isLoading) void load(host)
-        return
-      }
-      const {network, document} = state
-      // A program with an empty place is not reported; what its text says of it is shown all the same.
-      const isReported =
-        network !== null && (network.text === document.program.text || document.dimmed.length > 0)
-      const of = isReported ? network : document.workspace
-      if (of !== shownOf && !awaitsProgram(state)) {
-        shownOf = of
-        const defined = new Set(document.program.definitions.map(d => d.name))
-        const now =
-          isReported || editing === null || pending === null
-            ? (network?.parts ?? null)
-            : pending(network?.parts ?? [], editing.written(), defined)
-        if (now !== null && JSON.stringify(now) !== JSON.stringify(shown)) {
-          shown = now
-          view.show(now, network?.text ?? document.program.text)
-        }
-      }
-      const answer = state.why.open?.answer ?? null
-      if (answer !== explained) {
-        explained = answer
-        view.explain(answer === null ? noPath : causalPath(answer))
-      }
-      view.select(selectedDefinition(state.document.program, state.selected))
-      live(state, view, now)
-    },
-    commands: {
-      editing: () => editing,
-      tidy: () => view?.tidy(),
-      list: path => view?.list(path) ?? [],
-      choose: id => view?.chooseById(id),
-      saveSvg() {
-        void view?.svgFile().then(file => download(nameOf(store, "svg"), file, "image/svg+xml"))
-      },
-      savePng() {
-        void view?.pngFile().then(file => file !== null && downloadBlob(nameOf(store, "png"), file))
-      },
-    },
   }
 }
 

@@ -1,10 +1,10 @@
 /// Script of the shared page: draws the film of a run on the canvas, and plays it. The slider and the button are those of HTML and work by keyboard. Nothing
 /// moves before a person presses Play; where less motion is wanted, the film advances in steps.
 
-import {follow, lookAt, toScreen} from "../../views/room/camera.ts"
+import {cornerOf, follow, lookAt, toScreen} from "../../views/room/camera.ts"
 import {type Palette, readPalette} from "../../views/room/palette.ts"
 import {drawBubble, drawRobot} from "../../views/room/robot_drawing.ts"
-import {cornerOf, drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
+import {drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
 import {isLarge} from "../../worlds/world.ts"
 import {durationOf, type Film, momentAt} from "./film.ts"
 

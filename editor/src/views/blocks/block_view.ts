@@ -2,7 +2,7 @@
 ///
 /// Blocks come in through `load`. Every change goes out through `onChange`, together with the inferred types. The view stores no program of its own.
 
-import type {BlockId, Level, SavedBlock} from "@rosy/codegen"
+import type {BlockId, Inference, Level, SavedBlock} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {toolboxOf} from "../../lesson_files/toolbox_words.ts"
 import {words} from "../../words/index.ts"
@@ -28,7 +28,7 @@ import {chooseNextPlace} from "./interaction/filling_keys.ts"
 import {insertByClick, restoreFocus, selectSocketByClick} from "./interaction/focus.ts"
 import {selectedBlock, selectedPlaces} from "./interaction/insertion_points.ts"
 import {focusSearch, offerBlocks, toolboxInfo} from "./interaction/toolbox.ts"
-import {connectToolbox} from "./interaction/toolbox_context.ts"
+import {connectToolbox, type ToolboxActions} from "./interaction/toolbox_context.ts"
 import {blocklyTheme, openView, register} from "./registration.ts"
 import {viewActions, workspaceHistory} from "./view_actions.ts"
 import {sortOnlyWhenMoved} from "./workspace/connection_order.ts"
@@ -38,59 +38,24 @@ import {zoomButtons} from "./zoom_buttons.ts"
 
 /// Opens the block view in `host`, which gives it its size. One at a time.
 export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksView {
-  // What a lesson allows of the toolbox; `null` without one.
-  let allowed: readonly string[] | null = null
-  const language: Language = {
-    ...options.language,
-    toolbox: level =>
-      allowed === null
-        ? options.language.toolbox(level)
-        : toolboxOf(options.language.toolbox("haskell"), allowed),
-  }
+  const toolbox = toolboxChoice(options, () => workspace.updateToolbox(toolbox.info()))
+  const {language} = toolbox
   register(options.language)
   host.classList.add("rosyBlocks")
   const refusal = new RefusalMessage(host)
-  let level: Level = options.level ?? "reactions"
   setScrollBarThickness()
-  const workspace = inject(host, options, toolboxInfo(language, level))
-  const marks = new Annotations(workspace)
-  const values = new ValueLabels(workspace, block => options.questions?.whyValue(block))
-  const comments = new TeacherComments(workspace)
-  const away = cullByViewport(workspace, host)
+  const workspace = inject(host, options, toolbox.info())
+  const marks = openMarks(workspace, host, options)
   const stopScrollBars = showScrollBarsInUse(workspace, host)
   const freeFocus = restoreFocus(workspace)
   const stopChoosing = selectSocketByClick(workspace, withKeys => offerBlocks(workspace, withKeys))
-  const changes = new ChangeTracking(workspace, language, marks)
-  const refreshMarks = () => {
-    marks.forget()
-    values.refresh()
-    comments.refresh()
-    away.update()
-  }
+  const changes = new ChangeTracking(workspace, language, marks.annotations)
   const deferred = openDeferredCreation(workspace, host, made => {
     changes.completed(made)
-    refreshMarks()
+    marks.refresh()
   })
   const dragHost = {asker: changes.checker, chosen: () => selectedBlock(workspace), refusal}
-
-  const setLevel = (wanted: Level) => {
-    if (wanted === level) return
-    level = wanted
-    workspace.updateToolbox(toolboxInfo(language, level))
-    options.onLevel?.(level)
-  }
-  const insert = (block: SavedBlock) =>
-    insertBlock(workspace, block, selectedPlaces(workspace), changes.checker, true)
-  const put = (block: SavedBlock, thenNext: boolean) => {
-    insert(block)
-    return thenNext && chooseNextPlace(workspace)
-  }
-  connectToolbox(workspace, language, changes.session, {level: () => level, setLevel, put})
-  // The drawer stays while what was taken has a place for more.
-  const stopTaking = insertByClick(workspace, block => {
-    insert(block as SavedBlock)
-    if (chooseNextPlace(workspace, true)) offerBlocks(workspace, false)
-  })
+  const stopTaking = takeFromToolbox(workspace, language, changes, toolbox.commands)
   const close = openView(viewActions(workspace, language, options, changes, dragHost, () => sharing?.give()))
   const indoors = options.outside && enableTextDrop(workspace, options.outside, changes.isNew)
   const closeBin = openBin(workspace, host, changes.isNew, block =>
@@ -102,11 +67,6 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const stopFitting = fitToHost(workspace, host, resized)
   measureWhenFontsArrive(workspace, resized)
 
-  const definitionsOf = (functions: readonly string[]): readonly BlockId[] => {
-    const wanted = new Set(functions)
-    return [...changes.inference.definitions].flatMap(([id, {name}]) => (wanted.has(name) ? [id] : []))
-  }
-
   return {
     load(saved) {
       cancelMovement(workspace)
@@ -114,7 +74,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
       changes.loaded()
-      refreshMarks()
+      marks.refresh()
       deferred.begin()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
       if (again !== null) {
@@ -128,25 +88,13 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     inference: () => changes.inference,
     onChange: listener => changes.onChange(listener),
     onSelect: listener => changes.onSelect(listener),
-    highlight: blocks => marks.highlight(blocks),
-    dim: blocks => marks.dim(blocks),
-    explain: functions => marks.explain(definitionsOf(functions)),
-    showValues: (shown, taken) => {
-      values.show(shown)
-      marks.take(taken)
-    },
-    glow: functions => marks.glow(definitionsOf(functions)),
-    mark: (problems, accepted = false) => marks.setTold(problems, accepted),
-    showComments: shown => comments.show(shown),
+    ...marks.commands(() => changes.inference),
     setTone(tone) {
       host.dataset.theme = tone
       workspace.setTheme(blocklyTheme(tone))
     },
-    setLevel,
-    restrict(words) {
-      allowed = words
-      workspace.updateToolbox(toolboxInfo(language, level))
-    },
+    setLevel: toolbox.commands.setLevel,
+    restrict: toolbox.restrict,
     ...workspaceHistory(workspace),
     ...camera,
     makeAll: deferred.makeAll,
@@ -157,7 +105,6 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       indoors?.()
       closeBin()
       marks.dispose()
-      away.dispose()
       deferred.dispose()
       stopScrollBars()
       freeFocus()
@@ -171,6 +118,103 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     },
   }
 }
+
+/// What the toolbox shows: the level that the learner chose, or what a lesson allows. `changed` is called when that is something else.
+function toolboxChoice(options: BlocksOptions, changed: () => void) {
+  // What a lesson allows of the toolbox; `null` without one.
+  let allowed: readonly string[] | null = null
+  let level: Level = options.level ?? "reactions"
+  const language: Language = {
+    ...options.language,
+    toolbox: level =>
+      allowed === null
+        ? options.language.toolbox(level)
+        : toolboxOf(options.language.toolbox("haskell"), allowed),
+  }
+  return {
+    language,
+    info: () => toolboxInfo(language, level),
+    commands: {
+      level: () => level,
+      setLevel(wanted: Level) {
+        if (wanted === level) return
+        level = wanted
+        changed()
+        options.onLevel?.(level)
+      },
+    },
+    restrict(words: readonly string[] | null) {
+      allowed = words
+      changed()
+    },
+  }
+}
+
+/// Puts what is taken from the toolbox into the chosen place. The result ends that.
+function takeFromToolbox(
+  workspace: Blockly.WorkspaceSvg,
+  language: Language,
+  changes: ChangeTracking,
+  commands: Pick<ToolboxActions, "level" | "setLevel">,
+): () => void {
+  const insert = (block: SavedBlock) =>
+    insertBlock(workspace, block, selectedPlaces(workspace), changes.checker, true)
+  const put = (block: SavedBlock, thenNext: boolean) => {
+    insert(block)
+    return thenNext && chooseNextPlace(workspace)
+  }
+  connectToolbox(workspace, language, changes.session, {...commands, put})
+  // The drawer stays while what was taken has a place for more.
+  return insertByClick(workspace, block => {
+    insert(block as SavedBlock)
+    if (chooseNextPlace(workspace, true)) offerBlocks(workspace, false)
+  })
+}
+
+/// What is drawn at blocks: outlines and problems, values, and the teacher's comments. Blocks outside of the visible area are not drawn.
+function openMarks(workspace: Blockly.WorkspaceSvg, host: HTMLElement, options: BlocksOptions) {
+  const annotations = new Annotations(workspace)
+  const values = new ValueLabels(workspace, block => options.questions?.whyValue(block))
+  const comments = new TeacherComments(workspace)
+  const culling = cullByViewport(workspace, host)
+  return {
+    annotations,
+    /// Blocks were replaced.
+    refresh() {
+      annotations.forget()
+      values.refresh()
+      comments.refresh()
+      culling.update()
+    },
+    commands: (inference: () => Inference): MarkCommands => {
+      const definitionsOf = (functions: readonly string[]): readonly BlockId[] => {
+        const wanted = new Set(functions)
+        return [...inference().definitions].flatMap(([id, {name}]) => (wanted.has(name) ? [id] : []))
+      }
+      return {
+        highlight: blocks => annotations.highlight(blocks),
+        dim: blocks => annotations.dim(blocks),
+        explain: functions => annotations.explain(definitionsOf(functions)),
+        showValues(shown, taken) {
+          values.show(shown)
+          annotations.take(taken)
+        },
+        glow: functions => annotations.glow(definitionsOf(functions)),
+        mark: (problems, accepted = false) => annotations.setTold(problems, accepted),
+        showComments: shown => comments.show(shown),
+      }
+    },
+    dispose() {
+      annotations.dispose()
+      culling.dispose()
+    },
+  }
+}
+
+type MarkCommands = Pick<
+  BlocksView,
+  "highlight" | "dim" | "explain" | "showValues" | "glow" | "mark" | "showComments"
+>
 
 function inject(
   host: HTMLElement,

@@ -108,8 +108,8 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     clear() {
       activity = noActivity
     },
-    select: drawing.select,
-    explain: drawing.explain,
+    select: name => drawing.select(name),
+    explain: path => drawing.explain(path),
     tidy() {
       layout = null
       void draw()

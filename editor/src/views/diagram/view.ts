@@ -18,204 +18,243 @@ const leastScale = 0.66
 /// Free space around the drawing.
 const border = 24
 
-export function openDrawing(host: HTMLElement, options: ViewOptions): DrawnDiagram {
-  const {words} = options
-  const svg = svgElement("svg", {
-    class: "diagram",
-    role: "group",
-    "aria-label": `${words.title}. ${words.keys}`,
-  })
-  const containers = svgElement("g")
-  const edgeLayer = svgElement("g")
-  const nodeLayer = svgElement("g")
-  const labelLayer = svgElement("g", {class: "labels"})
-  svg.append(containers, edgeLayer, nodeLayer, labelLayer)
-  host.append(svg)
+export const openDrawing = (host: HTMLElement, options: ViewOptions): DrawnDiagram =>
+  new SvgDiagram(host, options)
 
-  let shownNetwork: Network = {nodes: [], edges: []}
-  const nodes = new Map<string, DrawnNode>()
-  const edges = new Map<string, DrawnEdge>()
-  let current: string | null = null
-  let selected: string | null = null
-  let appearance: Appearance = appearanceOf(shownNetwork, noActivity, 0, words.rate)
-  let places: Layout["boxes"] = new Map()
-  let path: CausalPath = noPath
+class SvgDiagram implements DrawnDiagram {
+  readonly svg: SVGSVGElement
+  private readonly options: ViewOptions
+  private readonly containers = svgElement("g")
+  private readonly edgeLayer = svgElement("g")
+  private readonly nodeLayer = svgElement("g")
+  private readonly labelLayer = svgElement("g", {class: "labels"})
+  private readonly nodes = new Map<string, DrawnNode>()
+  private readonly edges = new Map<string, DrawnEdge>()
+  private network: Network = {nodes: [], edges: []}
+  private places: Layout["boxes"] = new Map()
+  private appearance: Appearance
+  /// The node that Tab leads to, and the function that is selected on the page.
+  private current: string | null = null
+  private selected: string | null = null
+  /// The node that the pointer or the keyboard came to last.
+  private pointedAt: string | null = null
+  private path: CausalPath = noPath
   /// When values were written last, in ms of the learner's time.
-  let wroteAt = Number.NEGATIVE_INFINITY
+  private wroteAt = Number.NEGATIVE_INFINITY
 
-  const show = (network: Network, layout: Layout) => {
-    const focused = current !== null && nodes.get(current)?.group === document.activeElement
-    shownNetwork = network
-    places = layout.boxes
+  constructor(host: HTMLElement, options: ViewOptions) {
+    const {words} = options
+    this.options = options
+    this.appearance = appearanceOf(this.network, noActivity, 0, words.rate)
+    this.svg = svgElement("svg", {
+      class: "diagram",
+      role: "group",
+      "aria-label": `${words.title}. ${words.keys}`,
+    })
+    this.svg.append(this.containers, this.edgeLayer, this.nodeLayer, this.labelLayer)
+    host.append(this.svg)
+    this.svg.addEventListener("pointerover", event => this.point(event.target))
+    this.svg.addEventListener("focusin", event => {
+      this.point(event.target)
+      this.makeCurrent(this.nodeOf(event.target))
+    })
+    this.svg.addEventListener("click", event => this.click(event.target))
+    this.svg.addEventListener("keydown", event => this.press(event))
+  }
+
+  show(network: Network, layout: Layout): void {
+    const focused = this.current !== null && this.groupOf(this.current) === document.activeElement
+    this.network = network
+    this.places = layout.boxes
     const [w, h] = [layout.width + 2 * border, layout.height + 2 * border]
-    svg.setAttribute("viewBox", `${-border} ${-border} ${w} ${h}`)
-    svg.setAttribute("width", `${w}`)
-    svg.setAttribute("height", `${h}`)
-    svg.style.minWidth = `${w * leastScale}px`
+    this.svg.setAttribute("viewBox", `${-border} ${-border} ${w} ${h}`)
+    this.svg.setAttribute("width", `${w}`)
+    this.svg.setAttribute("height", `${h}`)
+    this.svg.style.minWidth = `${w * leastScale}px`
+    this.drawNodes(layout)
+    this.drawEdges(layout)
+    if (this.current === null || !this.nodes.has(this.current)) this.current = firstOf(network)?.id ?? null
+    this.setTabStop()
+    if (focused && this.current !== null) this.groupOf(this.current)?.focus()
+    this.appearance = {lit: new Set(), onEdges: new Map(), atNodes: new Map()}
+    this.mark()
+    this.describe()
+  }
+
+  live(activity: Activity, now: number, atOnce: boolean): void {
+    const {appearance, nodes, edges} = this
+    const next = appearanceOf(this.network, activity, now, this.options.words.rate)
+    const changed = (id: string) => next.lit.has(id) !== appearance.lit.has(id)
+    for (const [id, {group}] of nodes) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
+    for (const [id, {group}] of edges) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
+    if (!atOnce && now - this.wroteAt < textMs) {
+      this.appearance = {...appearance, lit: next.lit}
+      return
+    }
+    this.write(next)
+    this.wroteAt = now
+    const pointedAt = nodes.get(this.pointedAt ?? "")
+    if (pointedAt !== undefined) this.setTitle(pointedAt)
+  }
+
+  select(name: string | null): void {
+    if (name === this.selected) return
+    this.selected = name
+    this.mark()
+  }
+
+  explain(path: CausalPath): void {
+    this.path = path
+    this.mark()
+    this.describe()
+  }
+
+  private drawNodes(layout: Layout): void {
+    const {nodes} = this
     const before = new Map(nodes)
     nodes.clear()
-    for (const node of network.nodes) {
+    for (const node of this.network.nodes) {
       const box = layout.boxes.get(node.id)
       if (box === undefined) continue
       // A node that stays keeps its element, so that its way to another place can be seen.
       const known = before.get(node.id)
       const group = known?.group ?? svgElement("g")
-      const drawn = drawNode(group, node, box, options)
+      const drawn = drawNode(group, node, box, this.options)
       group.style.transform = `translate(${box.x}px, ${box.y}px)`
-      if (known === undefined) (isContainer(node) && !node.folded ? containers : nodeLayer).append(group)
+      if (known === undefined)
+        (isContainer(node) && !node.folded ? this.containers : this.nodeLayer).append(group)
       nodes.set(node.id, drawn)
       before.delete(node.id)
     }
     for (const {group} of before.values()) group.remove()
-    edgeLayer.replaceChildren()
-    labelLayer.replaceChildren()
-    edges.clear()
-    for (const edge of network.edges) {
+  }
+
+  private drawEdges(layout: Layout): void {
+    this.edgeLayer.replaceChildren()
+    this.labelLayer.replaceChildren()
+    this.edges.clear()
+    for (const edge of this.network.edges) {
       const route = layout.routes.get(edge.id)
       if (route === undefined || route.length < 2) continue
-      const drawn = drawEdge(edge, route, isJoin(network, edge.to))
-      labelLayer.append(drawn.text)
-      edgeLayer.append(drawn.group)
-      edges.set(edge.id, drawn)
+      const drawn = drawEdge(edge, route, isJoin(this.network, edge.to))
+      this.labelLayer.append(drawn.text)
+      this.edgeLayer.append(drawn.group)
+      this.edges.set(edge.id, drawn)
     }
-    if (current === null || !nodes.has(current)) current = firstOf(network)?.id ?? null
-    setTabStop()
-    if (focused && current !== null) nodes.get(current)?.group.focus()
-    appearance = {lit: new Set(), onEdges: new Map(), atNodes: new Map()}
-    mark()
-    describe()
   }
 
-  /// What a screen reader says of each node.
-  const describe = () => {
-    const {marked} = explained(shownNetwork, path)
-    for (const {id, text} of outline(shownNetwork, words.list, marked))
-      nodes.get(id)?.group.setAttribute("aria-label", text)
-  }
-
-  /// Tab leads to the current node only; arrow keys lead to the others.
-  const setTabStop = () => {
-    for (const [id, {group}] of nodes)
-      if (group.hasAttribute("tabindex")) group.tabIndex = id === current ? 0 : -1
-  }
-
-  const mark = () => {
-    const {marked, lines} = explained(shownNetwork, path)
-    for (const [id, {group}] of nodes) group.classList.toggle("why", marked.has(id))
-    for (const [id, {group}] of edges) group.classList.toggle("why", lines.has(id))
-    for (const {node, group} of nodes.values())
-      group.classList.toggle(
-        "selected",
-        selected !== null && node.kind === "function" && node.key === selected,
-      )
-  }
-
-  const live = (activity: Activity, now: number, atOnce: boolean) => {
-    const next = appearanceOf(shownNetwork, activity, now, words.rate)
-    const changed = (id: string) => next.lit.has(id) !== appearance.lit.has(id)
-    for (const [id, {group}] of nodes) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
-    for (const [id, {group}] of edges) if (changed(id)) group.classList.toggle("lit", next.lit.has(id))
-    if (!atOnce && now - wroteAt < textMs) {
-      appearance = {...appearance, lit: next.lit}
-      return
-    }
-    for (const [id, {node, value}] of nodes) {
+  /// Writes the values that differ from those written before.
+  private write(next: Appearance): void {
+    const {appearance} = this
+    for (const [id, {node, value}] of this.nodes) {
       const text = next.atNodes.get(id)
       if (value !== null && text !== appearance.atNodes.get(id))
-        value.textContent = fitting(text ?? "", node, places.get(id)?.w ?? 0)
+        value.textContent = fitting(text ?? "", node, this.places.get(id)?.w ?? 0)
     }
-    for (const [id, drawn] of edges) {
+    for (const [id, drawn] of this.edges) {
       const text = next.onEdges.get(id)
       if (text === appearance.onEdges.get(id)) continue
       drawn.text.textContent =
         text === undefined || drawn.most < leastLabel ? "" : shortened(text, drawn.most)
       drawn.title.textContent = text ?? ""
     }
-    appearance = next
-    wroteAt = now
-    const pointedAt = nodes.get(told ?? "")
-    if (pointedAt !== undefined) tell(pointedAt)
+    this.appearance = next
   }
 
-  // Type and last value, when they are asked for.
-  const tell = ({node, title}: DrawnNode) => {
-    const type = node.kind === "function" ? options.typeOf(node) : node.key
-    const value = appearance.atNodes.get(node.id) ?? options.lastOf(node)
+  /// What a screen reader says of each node.
+  private describe(): void {
+    const {marked} = explained(this.network, this.path)
+    for (const {id, text} of outline(this.network, this.options.words.list, marked))
+      this.groupOf(id)?.setAttribute("aria-label", text)
+  }
+
+  /// Tab leads to the current node only; arrow keys lead to the others.
+  private setTabStop(): void {
+    for (const [id, {group}] of this.nodes)
+      if (group.hasAttribute("tabindex")) group.tabIndex = id === this.current ? 0 : -1
+  }
+
+  private makeCurrent(drawn: DrawnNode | null): void {
+    if (drawn === null) return
+    this.current = drawn.node.id
+    this.setTabStop()
+  }
+
+  private mark(): void {
+    const {selected} = this
+    const {marked, lines} = explained(this.network, this.path)
+    for (const [id, {group}] of this.nodes) group.classList.toggle("why", marked.has(id))
+    for (const [id, {group}] of this.edges) group.classList.toggle("why", lines.has(id))
+    for (const {node, group} of this.nodes.values())
+      group.classList.toggle(
+        "selected",
+        selected !== null && node.kind === "function" && node.key === selected,
+      )
+  }
+
+  /// Type and last value, when they are asked for.
+  private setTitle({node, title}: DrawnNode): void {
+    const {words} = this.options
+    const type = node.kind === "function" ? this.options.typeOf(node) : node.key
+    const value = this.appearance.atNodes.get(node.id) ?? this.options.lastOf(node)
     // Frames have every value of these.
-    const isTold = node.kind === "event" || node.kind === "state" || node.kind === "store"
-    const last = value !== null ? words.lastValue(value) : isTold ? words.notYet : null
+    const isKnown = node.kind === "event" || node.kind === "state" || node.kind === "store"
+    const last = value !== null ? words.lastValue(value) : isKnown ? words.notYet : null
     const messages = node.topic === null ? [] : [node.topic.name, node.topic.type]
     const text = [node.label, type === null ? null : words.type(type), ...messages, last]
       .filter(Boolean)
       .join("\n")
     if (title.textContent !== text) title.textContent = text
   }
-  /// The node that the pointer or the keyboard came to last.
-  let told: string | null = null
-  const point = (event: Event) => {
-    const drawn = nodeOf(event.target)
-    told = drawn?.node.id ?? null
-    if (drawn !== null) tell(drawn)
+
+  private point(target: EventTarget | null): void {
+    const drawn = this.nodeOf(target)
+    this.pointedAt = drawn?.node.id ?? null
+    if (drawn !== null) this.setTitle(drawn)
   }
-  svg.addEventListener("pointerover", point)
-  svg.addEventListener("focusin", point)
-  const nodeOf = (target: EventTarget | null): DrawnNode | null => {
-    const group = target instanceof Element ? target.closest<SVGGElement>("[data-node]") : null
-    return nodes.get(group?.dataset.node ?? "") ?? null
+
+  private click(target: EventTarget | null): void {
+    const valued = this.valuedAt(target)
+    if (valued !== null) this.options.valueClicked(valued.node)
+    const drawn = valued ?? this.nodeOf(target)
+    if (drawn?.group.hasAttribute("tabindex")) this.choose(drawn)
   }
-  const choose = (drawn: DrawnNode) => {
-    current = drawn.node.id
-    setTabStop()
-    if (drawn.node.folded) options.toggled(drawn.node.id)
-    else options.chosen(drawn.node)
-  }
-  svg.addEventListener("click", event => {
-    const valued = valuedAt(event.target)
-    if (valued !== null) options.valueClicked(valued.node)
-    const drawn = valued ?? nodeOf(event.target)
-    if (drawn?.group.hasAttribute("tabindex")) choose(drawn)
-  })
-  /// The node whose value is written at a place: on the node itself, or on an edge.
-  const valuedAt = (target: EventTarget | null): DrawnNode | null => {
-    const text = target instanceof Element ? target.closest<SVGTextElement>("text.value, text.carried") : null
-    if (text === null || text.textContent === "") return null
-    const edge = shownNetwork.edges.find(one => one.id === text.dataset["edge"])
-    return edge === undefined ? nodeOf(text) : (nodes.get(valuedNode(shownNetwork, edge)) ?? null)
-  }
-  svg.addEventListener("keydown", event => {
-    const drawn = nodeOf(event.target)
+
+  private press(event: KeyboardEvent): void {
+    const drawn = this.nodeOf(event.target)
     if (drawn === null || event.ctrlKey || event.metaKey || event.altKey) return
-    if (event.key === "Enter" || event.key === " ") choose(drawn)
+    if (event.key === "Enter" || event.key === " ") this.choose(drawn)
     else {
-      const {marked} = explained(shownNetwork, path)
-      const next = neighbour(shownNetwork, places, drawn.node, event.key, marked)
+      const {marked} = explained(this.network, this.path)
+      const next = neighbour(this.network, this.places, drawn.node, event.key, marked)
       if (next === null) return
-      nodes.get(next)?.group.focus()
+      this.groupOf(next)?.focus()
     }
     event.preventDefault()
     event.stopPropagation()
-  })
-  svg.addEventListener("focusin", event => {
-    const drawn = nodeOf(event.target)
-    if (drawn === null) return
-    current = drawn.node.id
-    setTabStop()
-  })
+  }
 
-  return {
-    svg,
-    show,
-    live,
-    select(name) {
-      if (name === selected) return
-      selected = name
-      mark()
-    },
-    explain(next) {
-      path = next
-      mark()
-      describe()
-    },
+  private choose(drawn: DrawnNode): void {
+    this.makeCurrent(drawn)
+    if (drawn.node.folded) this.options.toggled(drawn.node.id)
+    else this.options.chosen(drawn.node)
+  }
+
+  private groupOf(id: string): SVGGElement | undefined {
+    return this.nodes.get(id)?.group
+  }
+
+  private nodeOf(target: EventTarget | null): DrawnNode | null {
+    const group = target instanceof Element ? target.closest<SVGGElement>("[data-node]") : null
+    return this.nodes.get(group?.dataset.node ?? "") ?? null
+  }
+
+  /// The node whose value is written at a place: on the node itself, or on an edge.
+  private valuedAt(target: EventTarget | null): DrawnNode | null {
+    const text = target instanceof Element ? target.closest<SVGTextElement>("text.value, text.carried") : null
+    if (text === null || text.textContent === "") return null
+    const edge = this.network.edges.find(one => one.id === text.dataset["edge"])
+    return edge === undefined ? this.nodeOf(text) : (this.nodes.get(valuedNode(this.network, edge)) ?? null)
   }
 }
 

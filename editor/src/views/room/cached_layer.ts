@@ -1,13 +1,6 @@
 /// Cached canvas layer, larger than the visible canvas by a margin, so that the view can pan over it before it must be drawn again.
 
-import type {Camera} from "./camera.ts"
-
-export interface Size {
-  readonly w: number
-  readonly h: number
-  /// The screen's pixels in one of the page's.
-  readonly ratio: number
-}
+import type {Camera, Size} from "./camera.ts"
 
 export interface Layer {
   /// In metres with y up; draw with this, also to add to what is there.

@@ -1,4 +1,7 @@
-/// Camera: the transform from metres with y up to pixels with y down. Pure.
+/// Camera: the transform from metres with y up to pixels with y down, and the viewport that it shows. No I/O.
+
+import type {World} from "../../worlds/world.ts"
+import type {Pose} from "./poses.ts"
 
 export interface Camera {
   /// Pixels in a metre.
@@ -6,6 +9,14 @@ export interface Camera {
   /// Where the room's lower left corner is, in pixels.
   readonly left: number
   readonly bottom: number
+}
+
+/// Size of a canvas, in pixels of the page.
+export interface Size {
+  readonly w: number
+  readonly h: number
+  /// The screen's pixels in one of the page's.
+  readonly ratio: number
 }
 
 /// Room left free around the world, in pixels.
@@ -130,4 +141,71 @@ export function zoom(
   const point = toRoom(camera, x, y)
   const scale = (camera.scale / old) * now
   return {zoom: now, x: point.x + (size.w / 2 - x) / scale, y: point.y + (y - size.h / 2) / scale}
+}
+
+/// Where the lower left corner of the floor is: open floor lies around the start.
+export function cornerOf(world: World): readonly [number, number] {
+  return world.open ? [-world.size[0] / 2, -world.size[1] / 2] : [0, 0]
+}
+
+/// Viewport of the room: the size of the canvas, the room that it shows, the learner's view of it, and the camera that follows from them.
+export class Viewport {
+  size: Size = {w: 0, h: 0, ratio: 1}
+  camera: Camera = {scale: 1, left: 0, bottom: 0}
+  /// The room that is drawn; `null` before the first.
+  world: World | null = null
+  /// The page's state does not have it: it is gone with the canvas.
+  view: CameraView = null
+
+  /// Where the world is seen: the controls at the lower edge lie beside it.
+  seen(): {readonly w: number; readonly h: number} {
+    const {w, h} = this.size
+    const [width, height] = this.world?.size ?? [1, 1]
+    return {w, h: heightAboveControls(width, height, w, h)}
+  }
+
+  /// Shows a room, with the robot's pose in the middle if the view follows the robot.
+  show(world: World, robot: Pose, follows: boolean): void {
+    const [width, height] = world.size
+    // Between the floor of a real robot and a room, places and distances mean something else.
+    if (this.world !== null && this.world.open !== world.open) this.view = null
+    this.world = world
+    const {w, h} = this.seen()
+    if (follows) this.view = follow(this.view, robot, width, height, w, h)
+    this.camera = lookAt(this.view, width, height, w, h, cornerOf(world))
+  }
+
+  /// The view after it came `factor` times closer around a point of the canvas.
+  zoomed(factor: number, x: number, y: number): CameraView {
+    return zoom(this.view, this.camera, this.seen(), factor, x, y)
+  }
+
+  /// The view after it was moved by so many pixels.
+  panned(dx: number, dy: number): CameraView {
+    const {w, h} = this.seen()
+    return pan(this.view, this.camera, w, h, dx, dy)
+  }
+
+  /// The share of the canvas by which layers are larger: a picture of the whole room does not move; one from nearby may, as far as half of itself.
+  margin(): number {
+    return this.view === null ? 0 : 0.5
+  }
+
+  /// Drawing in metres with y up from now on.
+  inMetres(ctx: CanvasRenderingContext2D): void {
+    const {size, camera} = this
+    const k = size.ratio * camera.scale
+    ctx.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
+  }
+
+  /// Drawing in pixels of the page from now on.
+  inPixels(ctx: CanvasRenderingContext2D): void {
+    ctx.setTransform(this.size.ratio, 0, 0, this.size.ratio, 0, 0)
+  }
+
+  /// Hands stay in the room: what is dragged out of it stops at its border.
+  inside({x, y, theta}: Pose): Pose {
+    const [width, height] = this.world?.size ?? [0, 0]
+    return {x: Math.min(width, Math.max(0, x)), y: Math.min(height, Math.max(0, y)), theta}
+  }
 }

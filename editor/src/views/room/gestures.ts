@@ -76,140 +76,13 @@ type GestureTarget =
   | {readonly kind: "floor"; readonly x: number; readonly y: number}
 
 export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): void {
-  const at = (event: PointerEvent | WheelEvent): Spot => {
-    const box = canvas.getBoundingClientRect()
-    return {x: event.clientX - box.left, y: event.clientY - box.top}
-  }
-  const inRoom = (p: Spot): Spot => toRoom(host.camera(), p.x, p.y)
-  const metres = (pixels: number) => pixels / host.camera().scale
-
-  /// What a hand takes hold of at a point of the canvas.
-  const gripAt = (p: Spot): GestureTarget => {
-    const robot = host.robot()
-    const floor: GestureTarget = {kind: "floor", ...p}
-    if (robot === null || !host.able()) return floor
-    const point = inRoom(p)
-    const away = Math.hypot(point.x - robot.x, point.y - robot.y)
-    const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
-    const handle = handleOf(robot)
-    const toHandle = Math.hypot(point.x - handle.x, point.y - handle.y)
-    if (away > reach && toHandle < Math.max(0.07, metres(grasp)))
-      return {kind: "turn", by: robot.theta - bearing}
-    if (away < Math.max(reach, metres(grasp)))
-      return {kind: "robot", dx: robot.x - point.x, dy: robot.y - point.y, theta: robot.theta}
-    const things = host.things()
-    const thing = objectAt(things, point.x, point.y, metres(grasp / 2))
-    const taken = thing === null ? undefined : things[thing]
-    if (thing === null || taken === undefined) return floor
-    return {kind: "thing", thing, dx: taken.x - point.x, dy: taken.y - point.y, theta: taken.theta}
-  }
-  /// The hand went to a point of the canvas with what it holds.
-  const drag = (grip: GestureTarget, p: Spot) => {
-    const point = inRoom(p)
-    const robot = host.robot()
-    switch (grip.kind) {
-      case "robot":
-        return host.placed({x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta})
-      case "turn": {
-        if (robot === null) return
-        const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
-        return host.placed({x: robot.x, y: robot.y, theta: bearing + grip.by})
-      }
-      case "thing":
-        return host.pushed(grip.thing, {x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta})
-      case "floor":
-        return host.panned(p.x - grip.x, p.y - grip.y)
-    }
-  }
-
-  let grip: GestureTarget | null = null
-  /// Where the pointer went down, and what was there; `null` once it has moved, or another finger came. The robot may drive on before it goes up.
-  let pressed: {readonly at: Spot; readonly about: QuestionTarget | null} | null = null
-  const askedAt = (p: Spot, {pointerType}: PointerEvent) =>
-    host.targetAt(inRoom(p), metres(pointerType === "touch" ? fingerReach : pointerReach))
-  // With two fingers the view zooms, or the robot that one of them holds is turned; `fingers` are those on the canvas.
-  const fingers = new Map<number, Spot>()
-  const otherFinger = (id: number) => [...fingers].find(([other]) => other !== id)?.[1]
-
-  canvas.addEventListener("pointerdown", event => {
-    canvas.setPointerCapture(event.pointerId)
-    const p = at(event)
-    fingers.set(event.pointerId, p)
-    pressed = fingers.size === 1 && event.button === 0 ? {at: p, about: askedAt(p, event)} : null
-    if (fingers.size > 1) return
-    grip = gripAt(p)
-    host.handled(grip.kind === "robot" || grip.kind === "turn")
-  })
-  canvas.addEventListener("pointermove", event => {
-    const p = at(event)
-    if (grip === null) {
-      const under = gripAt(p).kind
-      canvas.style.cursor = under !== "floor" ? "grab" : askedAt(p, event) === null ? "" : "help"
-      const robot = host.robot()
-      const point = inRoom(p)
-      if (event.pointerType === "mouse")
-        host.handled(robot !== null && Math.hypot(point.x - robot.x, point.y - robot.y) < near)
-      return
-    }
-    if (pressed !== null) {
-      const moved = Math.hypot(p.x - pressed.at.x, p.y - pressed.at.y)
-      // Until then nothing is dragged: a tap on the robot leaves it where it is.
-      if (moved <= (event.pointerType === "touch" ? stillFinger : still)) return
-      pressed = null
-    }
-    const mine = fingers.get(event.pointerId)
-    const other = otherFinger(event.pointerId)
-    fingers.set(event.pointerId, p)
-    if (mine !== undefined && other !== undefined) twoFingers(mine, p, other)
-    else {
-      canvas.style.cursor = grip.kind === "floor" ? "" : "grabbing"
-      drag(grip, p)
-      if (grip.kind === "floor") grip = {kind: "floor", ...p}
-    }
-  })
-  const twoFingers = (before: Spot, now: Spot, other: Spot) => {
-    const robot = host.robot()
-    if (grip?.kind === "robot" && robot !== null) {
-      // Pixels count y downwards, the room counts it upwards.
-      const angle = (p: Spot) => Math.atan2(other.y - p.y, p.x - other.x)
-      grip.theta += angle(now) - angle(before)
-      host.placed({x: robot.x, y: robot.y, theta: grip.theta})
-      return
-    }
-    const spread = (p: Spot) => Math.hypot(p.x - other.x, p.y - other.y)
-    if (spread(before) > 0 && spread(now) > 0)
-      host.zoomed(spread(now) / spread(before), (now.x + other.x) / 2, (now.y + other.y) / 2)
-  }
-  const release = (event: PointerEvent) => {
-    fingers.delete(event.pointerId)
-    if (fingers.size === 0) grip = null
-    canvas.style.cursor = ""
-  }
-  canvas.addEventListener("pointerup", event => {
-    const about = pressed?.about ?? null
-    pressed = null
-    release(event)
-    if (about !== null) host.asked(about)
-  })
-  canvas.addEventListener("pointercancel", event => {
-    pressed = null
-    release(event)
-  })
+  const pointers = new PointerGestures(canvas, host)
+  canvas.addEventListener("pointerdown", event => pointers.down(event))
+  canvas.addEventListener("pointermove", event => pointers.move(event))
+  canvas.addEventListener("pointerup", event => pointers.up(event))
+  canvas.addEventListener("pointercancel", event => pointers.cancel(event))
   canvas.addEventListener("pointerleave", event => event.pointerType === "mouse" && host.handled(false))
-
-  canvas.addEventListener(
-    "wheel",
-    event => {
-      event.preventDefault()
-      const p = at(event)
-      if (grip?.kind === "robot" || grip?.kind === "thing") {
-        // The wheel turns what the hand holds.
-        grip.theta += Math.sign(event.deltaY) * keyTurn
-        drag(grip, p)
-      } else host.zoomed(1.0015 ** -event.deltaY, p.x, p.y)
-    },
-    {passive: false},
-  )
+  canvas.addEventListener("wheel", event => pointers.wheel(event), {passive: false})
   canvas.addEventListener("dblclick", () => host.fitted())
 
   canvas.addEventListener("keydown", event => {
@@ -230,6 +103,163 @@ export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): voi
     event.preventDefault()
     act(event.key)
   })
+}
+
+/// Gestures of a mouse, a pen or fingers: what is held, and where the fingers are.
+class PointerGestures {
+  private readonly canvas: HTMLCanvasElement
+  private readonly host: GestureHost
+  private grip: GestureTarget | null = null
+  /// Where the pointer went down, and what was there; `null` once it has moved, or another finger came. The robot may drive on before it goes up.
+  private pressed: {readonly at: Spot; readonly about: QuestionTarget | null} | null = null
+  // With two fingers the view zooms, or the robot that one of them holds is turned; these are those on the canvas.
+  private readonly fingers = new Map<number, Spot>()
+
+  constructor(canvas: HTMLCanvasElement, host: GestureHost) {
+    this.canvas = canvas
+    this.host = host
+  }
+
+  down(event: PointerEvent): void {
+    const {fingers} = this
+    this.canvas.setPointerCapture(event.pointerId)
+    const p = this.at(event)
+    fingers.set(event.pointerId, p)
+    this.pressed = fingers.size === 1 && event.button === 0 ? {at: p, about: this.askedAt(p, event)} : null
+    if (fingers.size > 1) return
+    this.grip = this.gripAt(p)
+    this.host.handled(this.grip.kind === "robot" || this.grip.kind === "turn")
+  }
+
+  move(event: PointerEvent): void {
+    const {canvas, fingers, grip, pressed} = this
+    const p = this.at(event)
+    if (grip === null) {
+      this.hover(p, event)
+      return
+    }
+    if (pressed !== null) {
+      const moved = Math.hypot(p.x - pressed.at.x, p.y - pressed.at.y)
+      // Until then nothing is dragged: a tap on the robot leaves it where it is.
+      if (moved <= (event.pointerType === "touch" ? stillFinger : still)) return
+      this.pressed = null
+    }
+    const mine = fingers.get(event.pointerId)
+    const other = [...fingers].find(([id]) => id !== event.pointerId)?.[1]
+    fingers.set(event.pointerId, p)
+    if (mine !== undefined && other !== undefined) this.twoFingers(grip, mine, p, other)
+    else {
+      canvas.style.cursor = grip.kind === "floor" ? "" : "grabbing"
+      this.drag(grip, p)
+      if (grip.kind === "floor") this.grip = {kind: "floor", ...p}
+    }
+  }
+
+  up(event: PointerEvent): void {
+    const about = this.pressed?.about ?? null
+    this.cancel(event)
+    if (about !== null) this.host.asked(about)
+  }
+
+  cancel(event: PointerEvent): void {
+    this.pressed = null
+    this.fingers.delete(event.pointerId)
+    if (this.fingers.size === 0) this.grip = null
+    this.canvas.style.cursor = ""
+  }
+
+  wheel(event: WheelEvent): void {
+    const {grip} = this
+    event.preventDefault()
+    const p = this.at(event)
+    if (grip?.kind === "robot" || grip?.kind === "thing") {
+      // The wheel turns what the hand holds.
+      grip.theta += Math.sign(event.deltaY) * keyTurn
+      this.drag(grip, p)
+    } else this.host.zoomed(1.0015 ** -event.deltaY, p.x, p.y)
+  }
+
+  private at(event: PointerEvent | WheelEvent): Spot {
+    const box = this.canvas.getBoundingClientRect()
+    return {x: event.clientX - box.left, y: event.clientY - box.top}
+  }
+
+  private inRoom(p: Spot): Spot {
+    return toRoom(this.host.camera(), p.x, p.y)
+  }
+
+  private metres(pixels: number): number {
+    return pixels / this.host.camera().scale
+  }
+
+  private askedAt(p: Spot, {pointerType}: PointerEvent): QuestionTarget | null {
+    const reach = this.metres(pointerType === "touch" ? fingerReach : pointerReach)
+    return this.host.targetAt(this.inRoom(p), reach)
+  }
+
+  /// What a hand takes hold of at a point of the canvas.
+  private gripAt(p: Spot): GestureTarget {
+    const {host} = this
+    const robot = host.robot()
+    const floor: GestureTarget = {kind: "floor", ...p}
+    if (robot === null || !host.able()) return floor
+    const point = this.inRoom(p)
+    const away = Math.hypot(point.x - robot.x, point.y - robot.y)
+    const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
+    const handle = handleOf(robot)
+    const toHandle = Math.hypot(point.x - handle.x, point.y - handle.y)
+    if (away > reach && toHandle < Math.max(0.07, this.metres(grasp)))
+      return {kind: "turn", by: robot.theta - bearing}
+    if (away < Math.max(reach, this.metres(grasp)))
+      return {kind: "robot", dx: robot.x - point.x, dy: robot.y - point.y, theta: robot.theta}
+    const things = host.things()
+    const thing = objectAt(things, point.x, point.y, this.metres(grasp / 2))
+    const taken = thing === null ? undefined : things[thing]
+    if (thing === null || taken === undefined) return floor
+    return {kind: "thing", thing, dx: taken.x - point.x, dy: taken.y - point.y, theta: taken.theta}
+  }
+
+  /// The hand went to a point of the canvas with what it holds.
+  private drag(grip: GestureTarget, p: Spot): void {
+    const {host} = this
+    const point = this.inRoom(p)
+    if (grip.kind === "floor") host.panned(p.x - grip.x, p.y - grip.y)
+    else if (grip.kind === "turn") {
+      const robot = host.robot()
+      if (robot === null) return
+      const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
+      host.placed({x: robot.x, y: robot.y, theta: bearing + grip.by})
+    } else {
+      const pose = {x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta}
+      if (grip.kind === "robot") host.placed(pose)
+      else host.pushed(grip.thing, pose)
+    }
+  }
+
+  /// A pointer that holds nothing is over a point of the canvas.
+  private hover(p: Spot, event: PointerEvent): void {
+    const under = this.gripAt(p).kind
+    this.canvas.style.cursor = under !== "floor" ? "grab" : this.askedAt(p, event) === null ? "" : "help"
+    if (event.pointerType !== "mouse") return
+    const robot = this.host.robot()
+    const point = this.inRoom(p)
+    this.host.handled(robot !== null && Math.hypot(point.x - robot.x, point.y - robot.y) < near)
+  }
+
+  private twoFingers(grip: GestureTarget, before: Spot, now: Spot, other: Spot): void {
+    const {host} = this
+    const robot = host.robot()
+    if (grip.kind === "robot" && robot !== null) {
+      // Pixels count y downwards, the room counts it upwards.
+      const angle = (p: Spot) => Math.atan2(other.y - p.y, p.x - other.x)
+      grip.theta += angle(now) - angle(before)
+      host.placed({x: robot.x, y: robot.y, theta: grip.theta})
+      return
+    }
+    const spread = (p: Spot) => Math.hypot(p.x - other.x, p.y - other.y)
+    if (spread(before) > 0 && spread(now) > 0)
+      host.zoomed(spread(now) / spread(before), (now.x + other.x) / 2, (now.y + other.y) / 2)
+  }
 }
 
 /// Where the handle that turns the robot is.

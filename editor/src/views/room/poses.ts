@@ -1,4 +1,4 @@
-/// Poses: interpolation between frames, and the current poses of movable objects. Pure.
+/// Poses: interpolation between frames, and the current poses of movable objects. No I/O.
 
 import type {World} from "../../worlds/world.ts"
 
@@ -12,6 +12,11 @@ export interface Pose {
 export interface TimedPose {
   readonly pose: Pose
   readonly at: number
+}
+
+/// A frame, as far as motion needs it.
+interface RunFrame extends Pose {
+  readonly run: number
 }
 
 /// Frames further apart than this are jumps (a reset, a teleport, a tab in the background), not motion. In metres.
@@ -29,6 +34,30 @@ export function poseAt(before: TimedPose | null, last: TimedPose, now: number): 
     x: mix(before.pose.x, last.pose.x),
     y: mix(before.pose.y, last.pose.y),
     theta: before.pose.theta + normalizeAngle(last.pose.theta - before.pose.theta) * part,
+  }
+}
+
+/// The robot's pose between the last two frames.
+export class RobotMotion {
+  private before: TimedPose | null = null
+  private last: TimedPose | null = null
+  private frame: RunFrame | null = null
+
+  /// Where the robot is at a time, ms; `null` without a frame. A frame of another run, or one that is looked back at, is a jump.
+  poseAt(frame: RunFrame | null, isLive: boolean, now: number): Pose | null {
+    if (frame !== this.frame) {
+      const follows = frame !== null && this.frame !== null && frame.run === this.frame.run
+      this.before = follows && isLive ? this.last : null
+      this.last = frame === null ? null : {pose: frame, at: now}
+      this.frame = frame
+    }
+    return this.last === null ? null : poseAt(this.before, this.last, now)
+  }
+
+  /// Whether it is still on its way to the last frame.
+  isMoving(now: number): boolean {
+    const {before, last} = this
+    return last !== null && before !== null && now - last.at < last.at - before.at
   }
 }
 

@@ -1,8 +1,8 @@
 /// Drawing of the trail: finished pieces once, on a cached layer; the growing piece in every frame.
 
 import type {Point, RoomState, Trail, TrailStyle} from "../../state/runs/room_state.ts"
-import {openLayer, type Size} from "./cached_layer.ts"
-import {type Camera, toScreen} from "./camera.ts"
+import {openLayer} from "./cached_layer.ts"
+import {type Camera, type Size, toScreen} from "./camera.ts"
 import type {Palette} from "./palette.ts"
 import {segmentsOf, speedLevel, timeLevel, timeMarks, timeSpan, trailUntil} from "./trail_segments.ts"
 
@@ -30,71 +30,29 @@ export interface PathView {
   recolour(palette: Palette): void
 }
 
+/// What a trail is drawn with, and where.
+interface Pen {
+  readonly palette: Palette
+  readonly camera: Camera
+  readonly size: Size
+}
+
 export function openPath(first: Palette, margin: () => number): PathView {
-  let palette = first
-  let camera: Camera = {scale: 1, left: 0, bottom: 0}
-  let size: Size = {w: 0, h: 0, ratio: 1}
+  let pen: Pen = {palette: first, camera: {scale: 1, left: 0, bottom: 0}, size: {w: 0, h: 0, ratio: 1}}
   const layer = openLayer(margin)
   /// What is on the layer: pieces of this trail, in this manner.
   let kept: {manner: string; first: readonly Point[] | undefined; pieces: number} | null = null
 
-  const line = (
-    c: CanvasRenderingContext2D,
-    piece: readonly Point[],
-    style: TrailStyle,
-    span: number,
-  ): void => {
-    const levelOf = (p: Point) =>
-      style === "speed" ? speedLevel(p.speed) : style === "time" ? timeLevel(p.time, span) : 0
-    c.lineJoin = "round"
-    c.lineCap = "round"
-    for (const {level, points} of segmentsOf(piece, levelOf, apart / camera.scale)) {
-      const width = widths[style][level] ?? widths.plain[0]
-      c.lineWidth = Math.max(width / camera.scale, width / perMetre)
-      c.strokeStyle = style === "plain" ? palette.trail : (palette.ramp[level] ?? palette.trail)
-      c.beginPath()
-      points.forEach((p, i) => {
-        if (i === 0) c.moveTo(p.x, p.y)
-        else c.lineTo(p.x, p.y)
-      })
-      c.stroke()
-    }
-  }
-
-  const marks = (ctx: CanvasRenderingContext2D, trail: Trail, now: number) => {
-    ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
-    ctx.font = `500 12px ${palette.font}`
-    ctx.textAlign = "left"
-    ctx.textBaseline = "middle"
-    ctx.lineJoin = "round"
-    for (const p of timeMarks(trail, now, 26 / camera.scale)) {
-      const at = toScreen(camera, p.x, p.y)
-      ctx.beginPath()
-      ctx.arc(at.x, at.y, 4, 0, 2 * Math.PI)
-      ctx.fillStyle = palette.floor
-      ctx.fill()
-      ctx.lineWidth = 1.75
-      ctx.strokeStyle = palette.ink
-      ctx.stroke()
-      ctx.lineWidth = 3.5
-      ctx.strokeStyle = palette.floor
-      const text = `${p.time} s`
-      ctx.strokeText(text, at.x + 6, at.y - 10)
-      ctx.fillStyle = palette.ink
-      ctx.fillText(text, at.x + 6, at.y - 10)
-    }
-  }
-
   return {
-    place(to, within) {
-      camera = to
-      size = within
+    place(camera, size) {
+      pen = {...pen, camera, size}
     },
-    recolour(to) {
-      palette = to
+    recolour(palette) {
+      pen = {...pen, palette}
       layer.forget()
     },
     draw(ctx, room, style, tip) {
+      const {camera, size} = pen
       const now = room.lookedAt ?? room.frame?.time ?? 0
       const span = timeSpan(now)
       const trail = room.lookedAt === null ? room.trail : trailUntil(room.trail, room.lookedAt)
@@ -112,7 +70,7 @@ export function openPath(first: Palette, margin: () => number): PathView {
         layer.covers(camera, size)
       }
       const drawn = goesOn ? (kept?.pieces ?? 0) : 0
-      for (const piece of trail.slice(drawn, done)) line(layer.ctx, piece, style, span)
+      for (const piece of trail.slice(drawn, done)) drawLine(layer.ctx, pen, piece, style, span)
       kept = {manner, first: trail[0], pieces: done}
       layer.show(ctx, camera)
 
@@ -120,8 +78,62 @@ export function openPath(first: Palette, margin: () => number): PathView {
       ctx.setTransform(k, 0, 0, -k, camera.left * size.ratio, camera.bottom * size.ratio)
       const last = growing.at(-1)
       const passed = room.lookedAt === null ? growing.slice(0, -1) : growing
-      if (last !== undefined) line(ctx, [...passed, {...last, ...tip}], style, span)
-      if (style === "time") marks(ctx, trail, now)
+      if (last !== undefined) drawLine(ctx, pen, [...passed, {...last, ...tip}], style, span)
+      if (style === "time") drawMarks(ctx, pen, trail, now)
     },
+  }
+}
+
+function drawLine(
+  c: CanvasRenderingContext2D,
+  {palette, camera}: Pen,
+  piece: readonly Point[],
+  style: TrailStyle,
+  span: number,
+): void {
+  const levelOf = (p: Point) =>
+    style === "speed" ? speedLevel(p.speed) : style === "time" ? timeLevel(p.time, span) : 0
+  c.lineJoin = "round"
+  c.lineCap = "round"
+  for (const {level, points} of segmentsOf(piece, levelOf, apart / camera.scale)) {
+    const width = widths[style][level] ?? widths.plain[0]
+    c.lineWidth = Math.max(width / camera.scale, width / perMetre)
+    c.strokeStyle = style === "plain" ? palette.trail : (palette.ramp[level] ?? palette.trail)
+    c.beginPath()
+    points.forEach((p, i) => {
+      if (i === 0) c.moveTo(p.x, p.y)
+      else c.lineTo(p.x, p.y)
+    })
+    c.stroke()
+  }
+}
+
+/// The times at points of the trail.
+function drawMarks(
+  ctx: CanvasRenderingContext2D,
+  {palette, camera, size}: Pen,
+  trail: Trail,
+  now: number,
+): void {
+  ctx.setTransform(size.ratio, 0, 0, size.ratio, 0, 0)
+  ctx.font = `500 12px ${palette.font}`
+  ctx.textAlign = "left"
+  ctx.textBaseline = "middle"
+  ctx.lineJoin = "round"
+  for (const p of timeMarks(trail, now, 26 / camera.scale)) {
+    const at = toScreen(camera, p.x, p.y)
+    ctx.beginPath()
+    ctx.arc(at.x, at.y, 4, 0, 2 * Math.PI)
+    ctx.fillStyle = palette.floor
+    ctx.fill()
+    ctx.lineWidth = 1.75
+    ctx.strokeStyle = palette.ink
+    ctx.stroke()
+    ctx.lineWidth = 3.5
+    ctx.strokeStyle = palette.floor
+    const text = `${p.time} s`
+    ctx.strokeText(text, at.x + 6, at.y - 10)
+    ctx.fillStyle = palette.ink
+    ctx.fillText(text, at.x + 6, at.y - 10)
   }
 }

@@ -1,7 +1,7 @@
 /// Drawing of the static world: floor, grid, holes, walls, objects, goals; and thumbnails of a room. In metres; the context is already scaled.
 
 import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
-import {lookAt, viewOfPath} from "./camera.ts"
+import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
 import {drawRobot} from "./robot_drawing.ts"
@@ -79,11 +79,6 @@ function drawUnknown(ctx: CanvasRenderingContext2D, world: World, palette: Palet
   ctx.strokeStyle = palette.wall
   ctx.stroke()
   ctx.restore()
-}
-
-/// Where the lower left corner of the floor is: open floor lies around the start.
-export function cornerOf(world: World): readonly [number, number] {
-  return world.open ? [-world.size[0] / 2, -world.size[1] / 2] : [0, 0]
 }
 
 /// A cross where the robot started.

@@ -5,6 +5,7 @@
 import * as Blockly from "blockly/core"
 import {words} from "../../../words/index.ts"
 import {fillingKeys} from "./filling_keys.ts"
+import {workspaceKeys} from "./workspace_keys.ts"
 
 export interface MenuActions {
   undo(): void
@@ -56,6 +57,17 @@ const unwanted = [
 export function registerMenus(actions: () => MenuActions | undefined): void {
   const {registry: menus} = Blockly.ContextMenuRegistry
   for (const id of unwanted) if (menus.getItem(id) !== null) menus.unregister(id)
+  historyAndSight(actions)
+  copyAndPaste(actions)
+  questions(actions)
+  membership(actions)
+  commentAtOnce()
+  workspaceKeys(actions)
+  fillingKeys(actions)
+}
+
+/// Undo and redo, and where to look, in the menu of the workspace.
+function historyAndSight(actions: () => MenuActions | undefined): void {
   const item = (
     id: string,
     weight: number,
@@ -64,7 +76,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
     can: (view: MenuActions) => boolean,
     act: (view: MenuActions) => void,
   ) =>
-    menus.register({
+    Blockly.ContextMenuRegistry.registry.register({
       id,
       weight,
       scopeType: Blockly.ContextMenuRegistry.ScopeType.WORKSPACE,
@@ -111,62 +123,6 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
     view => view.hasStrays(),
     view => view.bringStraysHome(),
   )
-
-  copyAndPaste(actions)
-  questions(actions)
-  membership(actions)
-  commentAtOnce()
-  zoomKeys(actions)
-
-  const {registry: keys} = Blockly.ShortcutRegistry
-  const {KeyCodes} = Blockly.utils
-  // C tidies in Blockly; Ctrl+Enter is the page's Run.
-  keys.unregister(Blockly.ShortcutItems.names.CLEANUP)
-  // Home and End of a block, Page up and down of a stack, Ctrl+Home and Ctrl+End of them all.
-  Blockly.ShortcutItems.registerNavigationShortcuts()
-  const menu = Blockly.ShortcutItems.names.MENU
-  keys.unregister(menu)
-  keys.register({
-    name: menu,
-    keyCodes: [keys.createSerializedKey(KeyCodes.F10, [KeyCodes.SHIFT]), KeyCodes.CONTEXT_MENU],
-    displayText: () => Blockly.Msg.SHORTCUTS_SHOW_CONTEXT_MENU!,
-    preconditionFn: workspace => !workspace.isDragging(),
-    callback: (_, event) => openMenu(event),
-  })
-  // T goes to the category that was used last in Blockly; ours always goes to the search, which knows what fits.
-  keys.unregister(Blockly.ShortcutItems.names.FOCUS_TOOLBOX)
-  keys.register({
-    name: Blockly.ShortcutItems.names.FOCUS_TOOLBOX,
-    keyCodes: [KeyCodes.T, KeyCodes.SLASH],
-    displayText: () => words.blocks.search,
-    preconditionFn: workspace => !workspace.isDragging(),
-    callback: (_, event) => {
-      const view = actions()
-      if (view === undefined) return false
-      event.preventDefault()
-      Blockly.keyboardNavigationController.setIsActive(true)
-      view.focusSearch()
-      return true
-    },
-  })
-  fillingKeys(actions)
-}
-
-/// The menu of what the keyboard is on. A field has that of its block, and where the keyboard is on all blocks it is theirs: in
-/// Blockly neither has one.
-function openMenu(event: Event): boolean {
-  const node = Blockly.getFocusManager().getFocusedNode()
-  const owner =
-    node === null || "showContextMenu" in node
-      ? node
-      : node instanceof Blockly.Field
-        ? node.getSourceBlock()
-        : Blockly.getFocusManager().getFocusedTree()
-  if (owner === null || !("showContextMenu" in owner)) return false
-  Blockly.keyboardNavigationController.setIsActive(true)
-  ;(owner as Blockly.IContextMenu).showContextMenu(event)
-  Blockly.ContextMenu.getMenu()?.highlightNext()
-  return true
 }
 
 /// Copying by menu, without a keyboard. The pasted blocks lie where the menu was opened.
@@ -273,30 +229,6 @@ function membership(actions: () => MenuActions | undefined): void {
       if (block !== undefined) actions()?.toggleRuns(block)
     },
   })
-}
-
-/// The keys of the zoom buttons, the same as in the room.
-function zoomKeys(actions: () => MenuActions | undefined): void {
-  const {registry: keys} = Blockly.ShortcutRegistry
-  const {KeyCodes} = Blockly.utils
-  const shifted = (code: number) => keys.createSerializedKey(code, [KeyCodes.SHIFT])
-  const zooms: readonly [string, (number | string)[], (view: MenuActions) => void][] = [
-    ["rosyZoomIn", [KeyCodes.EQUALS, shifted(KeyCodes.EQUALS), KeyCodes.NUM_PLUS], view => view.zoom(true)],
-    ["rosyZoomOut", [KeyCodes.DASH, KeyCodes.NUM_MINUS], view => view.zoom(false)],
-    ["rosyFit", [KeyCodes.ZERO, KeyCodes.NUM_ZERO], view => view.zoomToFit()],
-  ]
-  for (const [name, keyCodes, act] of zooms) {
-    keys.register({
-      name,
-      keyCodes,
-      preconditionFn: workspace => !workspace.isDragging(),
-      callback: () => {
-        const view = actions()
-        if (view !== undefined) act(view)
-        return view !== undefined
-      },
-    })
-  }
 }
 
 /// A comment that was asked for is open to be written; Blockly only puts its icon on the block.
