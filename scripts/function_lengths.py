@@ -26,13 +26,6 @@ _NAME = re.compile(r"[a-z_][\w']*|\([^\w\s()]+\)")
 _SIGNATURE = re.compile(r"(?:[a-z_][\w']*|\([^\w\s()]+\))\s*(?:,|::|$)")
 _NO_BINDING = {"class", "data", "default", "deriving", "foreign", "import", "infix", "infixl", "infixr", "instance", "module", "newtype", "pattern", "type"}
 
-# Functions of the robot program that are still to be split.
-_TO_SPLIT = {
-    ("rosy-hs/robots/Rosy/Link/Real.hs", "realLink"),
-    ("rosy-hs/robots/Rosy/Link/Ros.hs", "withRos"),
-    ("rosy-hs/robots/Rosy/Robots/LockstepRun.hs", "runLockstep"),
-}
-
 Function = tuple[str, int, int]
 """Name, first line, number of lines."""
 
@@ -50,7 +43,7 @@ def function_length_breaches(root: Path, files: Iterable[Path]) -> Iterator[str]
         else:
             continue
         for function, line, length in functions:
-            if length > MOST_LINES and (name, function) not in _TO_SPLIT:
+            if length > MOST_LINES:
                 yield f"{name}:{line}: {function} has {length} lines; a function of more than {MOST_LINES} is several"
 
 
