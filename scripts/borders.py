@@ -16,6 +16,7 @@ import python_imports
 from citations import citation_breaches
 from confusable_characters import confusable_breaches
 from extension_table import extension_breaches
+from function_lengths import function_length_breaches
 from protection_table import protection_breaches
 from robot_sentences import translation_breaches
 from sentences import sentence_breaches
@@ -110,6 +111,7 @@ def main() -> int:
     found: list[str] = [*folder_breaches(files), *citation_breaches(ROOT, files)]
     found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT), *translation_breaches(ROOT), *confusable_breaches(ROOT)]
     found += [f"sim-service/rosy_sim: {what}" for what in python_imports.breaches(ROOT / "sim-service" / "rosy_sim")]
+    found += function_length_breaches(ROOT, files)
     looked = len(FOLDERS_WITH_README)
     for path in files:
         if path.suffix in {".png", ".wasm", ".woff2", ".ico"} or path == Path("scripts/borders.py"):

@@ -32,7 +32,8 @@ import Data.IORef
 import Data.Maybe (isNothing)
 import qualified Data.Text as T
 import GHC.Clock (getMonotonicTime)
-import Rosy.Channel (Message)
+import Rosy.Channel (Action, Message)
+import Rosy.Core (Topic)
 import Rosy.Link
 import Rosy.Problem (Fault (..))
 import Rosy.Robot
@@ -40,7 +41,7 @@ import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.Guard
 import Rosy.Robots.Wording (tellPerson)
-import Rosy.Sentence (english)
+import Rosy.Sentence (Sentence, english)
 import System.Random (randomIO)
 
 -- | Control of a run from outside: the stop flag, the guard, and whether the robot was refused.
@@ -63,7 +64,7 @@ requestStop r = atomically (writeTVar (stopWanted r) True)
 
 -- | Halts the wheels; later commands of the program have no effect.
 haltRobot :: RunControl -> Connection -> IO ()
-haltRobot r connection = atomically (stateTVar (guarded r) haltWheels) >>= mapM_ (sendCommand connection)
+haltRobot r robot = atomically (stateTVar (guarded r) haltWheels) >>= mapM_ (sendCommand robot)
 
 data Clock = Clock
   { -- | seconds of a clock that runs while the computer sleeps
@@ -87,97 +88,131 @@ withClock use = do
         beat (n + 1 :: Int)
   withAsync (beat 1) (const (use (Clock bootSeconds secondsOfDay due)))
 
+-- | A run as a link sees it: what it was opened with, and what changes.
+data RealRun = RealRun
+  { clock :: Clock,
+    -- | how many seconds a lost robot is waited for before the run ends
+    patience :: Double,
+    control :: RunControl,
+    connection :: Connection,
+    -- | steps that have begun
+    steps :: IORef Int,
+    -- | messages for the program from before its first step
+    early :: IORef [Message],
+    -- | whether the program got a tick with its last step
+    ticked :: IORef Bool,
+    -- | when the robot was lost, and why
+    lostSince :: IORef (Maybe (Double, Sentence)),
+    -- | when the robot was there, by the clock
+    beganAt :: IORef Double
+  }
+
 -- | The robot as a link. The number is how many seconds a lost robot is waited for before the run ends.
 realLink :: Clock -> Double -> RunControl -> Connection -> IO Link
-realLink clock patience r connection = do
-  steps <- newIORef 0
-  early <- newIORef []
-  ticked <- newIORef False
-  lostSince <- newIORef Nothing
-  beganAt <- newIORef 0
-  let guarding :: (Guard -> (b, Guard)) -> IO b
-      guarding f = atomically (stateTVar (guarded r) f)
-      -- Messages of an event for the program, in order; notices go to the terminal.
-      passes :: RobotEvent -> IO [Message]
-      passes h = do
-        wasHere <- isConnected <$> readTVarIO (guarded r)
-        case h of
-          Disconnected why | wasHere -> do
-            complain (IsLost why)
-            t <- now clock
-            writeIORef lostSince (Just (t, why))
-          Disconnected why -> complain (IsAwaited why)
-          Refused why -> complain (IsRefused why) >> atomically (writeTVar (refused r) True) >> throwIO (LinkLost (T.unpack (english why)))
-          Connected -> do
-            lost <- readIORef lostSince
-            complain (if isNothing lost then IsThere else IsBack)
-            writeIORef lostSince Nothing
-          Complained what -> complain (IsComplaining what)
-          Misunderstood what -> complain (IsUnreadable what)
-          Received _ -> pure ()
-        (messages, actions) <- guarding (onEvent h)
-        messages <$ mapM_ (sendCommand connection) actions
-      -- The time is read for each command: this process may be suspended between two of them.
-      drive a = do
-        case a of
-          SayCommand (Say s) -> putStrLn s
-          _ -> pure ()
-        forM_ (resolveCommand connection a) $ \a' -> now clock >>= \t -> guarding (onCommand t a') >>= mapM_ (sendCommand connection)
-      untilHere = do
-        found <- atomically $ do
-          stop <- readTVar (stopWanted r)
-          if stop then pure Nothing else Just <$> takeEvents connection
-        forM_ found $ \hs -> do
-          ms <- concat <$> mapM passes hs
-          modifyIORef' early (++ withoutEvents ms)
-          arrived <- isConnected <$> readTVarIO (guarded r)
-          if arrived then pure () else untilHere
-      following = do
-        waiting <- readIORef early
-        found <- atomically $ do
-          stop <- readTVar (stopWanted r)
-          if stop
-            then pure Nothing
-            else do
-              hs <- takeEvents connection `orElse` pure []
-              tick <- swapTVar (tickDue clock) False
-              check (tick || not (null hs && null waiting))
-              pure (Just (hs, tick))
-        case found of
-          Nothing -> pure Nothing
-          Just (hs, tick) -> do
-            t <- now clock
-            ms <- (++) <$> atomicModifyIORef' early ([],) <*> (concat <$> mapM passes hs)
-            lost <- readIORef lostSince
-            forM_ lost $ \(since, why) -> when (t - since > patience) (throwIO (LinkLost (T.unpack (english why))))
-            if null ms && not tick
-              then following
-              else do
-                n <- atomicModifyIORef' steps (\i -> (i + 1, i))
-                writeIORef ticked tick
-                since <- readIORef beganAt
-                pure (Just (Batch n (t - since) ms tick False False False))
+realLink clock' seconds control' connection' = do
+  run <- RealRun clock' seconds control' connection' <$> newIORef 0 <*> newIORef [] <*> newIORef False <*> newIORef Nothing <*> newIORef 0
   pure
     Link
-      { open = \topics -> do
-          registerTopics connection topics >>= mapM_ tellPerson
-          complain (IsAwaited unknownReason)
-          untilHere
-          now clock >>= writeIORef beganAt
-          Opening <$> randomIO <*> today clock,
-        next = following,
-        answer = \a -> do
-          mapM_ drive (answerActions a)
-          tick <- readIORef ticked
-          when tick $ do
-            t <- now clock
-            guarding (onTick t) >>= mapM_ (sendCommand connection)
-            guarding (noticeMotion t) >>= mapM_ (motionNotice connection >=> complain),
+      { open = openRobot run,
+        next = nextBatch run,
+        answer = answerBatch run,
         end = \a _ -> do
-          mapM_ drive (answerActions a)
-          haltRobot r connection,
+          mapM_ (drive run) (answerActions a)
+          haltRobot control' connection',
         atWork = const (pure ()),
         atRest = pure ()
       }
-  where
-    complain = tellPerson . explainNotice (connectionName connection)
+
+-- | Waits for the robot.
+openRobot :: RealRun -> [Topic] -> IO Opening
+openRobot run topics = do
+  registerTopics (connection run) topics >>= mapM_ tellPerson
+  complain run (IsAwaited unknownReason)
+  awaitRobot run
+  now (clock run) >>= writeIORef (beganAt run)
+  Opening <$> randomIO <*> today (clock run)
+
+-- | Until the robot is there, or the run is to stop.
+awaitRobot :: RealRun -> IO ()
+awaitRobot run = do
+  found <- atomically $ do
+    stop <- readTVar (stopWanted (control run))
+    if stop then pure Nothing else Just <$> takeEvents (connection run)
+  forM_ found $ \hs -> do
+    ms <- concat <$> mapM (passes run) hs
+    modifyIORef' (early run) (++ withoutEvents ms)
+    arrived <- isConnected <$> readTVarIO (guarded (control run))
+    if arrived then pure () else awaitRobot run
+
+-- | The next step of the program; nothing when the run is to stop.
+nextBatch :: RealRun -> IO (Maybe Batch)
+nextBatch run = do
+  waiting <- readIORef (early run)
+  found <- atomically $ do
+    stop <- readTVar (stopWanted (control run))
+    if stop
+      then pure Nothing
+      else do
+        hs <- takeEvents (connection run) `orElse` pure []
+        tick <- swapTVar (tickDue (clock run)) False
+        check (tick || not (null hs && null waiting))
+        pure (Just (hs, tick))
+  case found of
+    Nothing -> pure Nothing
+    Just (hs, tick) -> do
+      t <- now (clock run)
+      ms <- (++) <$> atomicModifyIORef' (early run) ([],) <*> (concat <$> mapM (passes run) hs)
+      lost <- readIORef (lostSince run)
+      forM_ lost $ \(since, why) -> when (t - since > patience run) (throwIO (LinkLost (T.unpack (english why))))
+      if null ms && not tick
+        then nextBatch run
+        else do
+          n <- atomicModifyIORef' (steps run) (\i -> (i + 1, i))
+          writeIORef (ticked run) tick
+          since <- readIORef (beganAt run)
+          pure (Just (Batch n (t - since) ms tick False False False))
+
+-- | Carries out what the program answers, and with a tick what the guard does.
+answerBatch :: RealRun -> Answer -> IO ()
+answerBatch run a = do
+  mapM_ (drive run) (answerActions a)
+  tick <- readIORef (ticked run)
+  when tick $ do
+    t <- now (clock run)
+    guarding run (onTick t) >>= mapM_ (sendCommand (connection run))
+    guarding run (noticeMotion t) >>= mapM_ (motionNotice (connection run) >=> complain run)
+
+-- | Messages of an event for the program, in order; notices go to the terminal.
+passes :: RealRun -> RobotEvent -> IO [Message]
+passes run h = do
+  wasHere <- isConnected <$> readTVarIO (guarded (control run))
+  case h of
+    Disconnected why | wasHere -> do
+      complain run (IsLost why)
+      t <- now (clock run)
+      writeIORef (lostSince run) (Just (t, why))
+    Disconnected why -> complain run (IsAwaited why)
+    Refused why -> complain run (IsRefused why) >> atomically (writeTVar (refused (control run)) True) >> throwIO (LinkLost (T.unpack (english why)))
+    Connected -> do
+      lost <- readIORef (lostSince run)
+      complain run (if isNothing lost then IsThere else IsBack)
+      writeIORef (lostSince run) Nothing
+    Complained what -> complain run (IsComplaining what)
+    Misunderstood what -> complain run (IsUnreadable what)
+    Received _ -> pure ()
+  (messages, actions) <- guarding run (onEvent h)
+  messages <$ mapM_ (sendCommand (connection run)) actions
+
+-- | Carries out a command. The time is read for each: this process may be suspended between two of them.
+drive :: RealRun -> Action -> IO ()
+drive run a = do
+  case a of
+    SayCommand (Say s) -> putStrLn s
+    _ -> pure ()
+  forM_ (resolveCommand (connection run) a) $ \a' -> now (clock run) >>= \t -> guarding run (onCommand t a') >>= mapM_ (sendCommand (connection run))
+
+guarding :: RealRun -> (Guard -> (b, Guard)) -> IO b
+guarding run f = atomically (stateTVar (guarded (control run)) f)
+
+complain :: RealRun -> Notice -> IO ()
+complain run = tellPerson . explainNotice (connectionName (connection run))

@@ -53,87 +53,122 @@ withRos :: Settings -> Sentence -> Bool -> [Route] -> (Connection -> IO a) -> IO
 withRos settings name asksType plain use = withNodeIn settings "rosy" $ do
   hearing <- liftIO newEventQueue
   known <- if asksType then namedRoutes hearing plain else pure plain
-  heard <- liftIO (newTVarIO False)
-  count <- liftIO (newTVarIO (0 :: Int))
-  present <- liftIO (newTVarIO False)
-  let arrives listening o = do
-        there <- readTVarIO present
-        atomically (writeTVar heard True)
-        unless there listening
-        atomically $ do
-          wasPresent <- swapTVar present True
-          unless wasPresent (enqueue hearing Connected)
-          modifyTVar' count (+ 1)
-          enqueue hearing (Received o)
-      isOdometry r = routeChannel r == odometryChannel
-      described = filter (hasDefinition . T.unpack . routeType)
-  -- The topics of programs: those that are taken, and the publishers of those that are sent.
-  taken <- liftIO (newTVarIO Set.empty)
-  sent <- liftIO (newTVarIO Map.empty)
-  let ownToo (first :| _) v = do
-        let topic = T.unpack (routeTopic first)
-        isTaken <- Set.member topic <$> readTVarIO taken
-        when isTaken (atomically (enqueue hearing (Received (OpenMessage topic v))))
+  presence <- liftIO (Presence hearing <$> newTVarIO False <*> newTVarIO 0 <*> newTVarIO False)
+  own <- liftIO (OwnTopics <$> newTVarIO Set.empty <*> newTVarIO Map.empty)
+  let isOdometry r = routeChannel r == odometryChannel
+      taking carried arrival = receive carried (atomically . enqueueUnreadable hearing) arrival (takeOwn hearing own carried)
   forM_ (sensorTopics (described known)) $ \carried ->
-    unless (any isOdometry carried) (receive carried (atomically . enqueueUnreadable hearing) (atomically . enqueue hearing . Received) (ownToo carried))
+    unless (any isOdometry carried) (taking carried (atomically . enqueue hearing . Received))
   publishers <- Map.fromList <$> mapM (\r -> (,) (channelNumber (routeChannel r)) <$> sender r) (described (commandRoutes known))
   -- The first sound of a program would be lost on a base whose odometry comes a moment before it has connected to ours.
-  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (receive carried (atomically . enqueueUnreadable hearing) (arrives (run (awaitListeners listenerTimeout))) (ownToo carried)))
-  let ownTopic t
-        | not (hasDefinition (topicType t)) = pure [trWith "There is no description of the message {message}, which {topic} has. Put its .msg file in a folder of ROSY_MSG_PATH." ["message" =: T.pack (topicType t), "topic" =: T.pack (topicName t)]]
-        | topicUse t == Taken = do
-          isNew <- liftIO . atomically $ do
-            before <- readTVar taken
-            writeTVar taken (Set.insert (topicName t) before)
-            pure (Set.notMember (topicName t) before && T.pack (topicName t) `notElem` map routeTopic (described (sensorRoutes known)))
-          [] <$ when isNew (receiveOwn t (atomically . enqueue hearing . Received . OpenMessage (topicName t)))
-        | T.pack (topicName t) `elem` map routeTopic (commandRoutes known) = pure []
-        | otherwise = do
-          before <- liftIO (readTVarIO sent)
-          [] <$ unless (Map.member (topicName t) before) (senderOwn t >>= \s -> liftIO (atomically (modifyTVar' sent (Map.insert (topicName t) s))))
-  ownTopics <- nodeIO (\run -> pure (run . fmap concat . mapM ownTopic))
+  forM_ (filter (any isOdometry) (sensorTopics known)) $ \carried -> nodeIO (\run -> run (taking carried (odometryArrives presence (run (awaitListeners listenerTimeout)))))
+  ownTopics <- nodeIO (\run -> pure (run . fmap concat . mapM (registerOwn hearing own known)))
   let connection =
         Connection
           { connectionName = name,
             connectionRoutes = known,
             registerTopics = ownTopics,
             sendCommand = \case
-              OpenAction topic message -> readTVarIO sent >>= mapM_ ($ message) . Map.lookup topic
+              OpenAction topic message -> readTVarIO (sent own) >>= mapM_ ($ message) . Map.lookup topic
               Action c fields -> forM_ (Map.lookup (channelNumber c) publishers) ($ fields),
             takeEvents = awaitEvents hearing,
             unreadableMessages = unreadableSoFar hearing,
             velocityTopic = pure (fmap (\r -> (routeTopic r, routeType r)) (routeFor known velocityChannel))
           }
-      -- Only a connected robot can be lost.
-      watch = do
-        atomically (readTVar present >>= check)
-        before <- readTVarIO count
-        came <- timeoutInSlices silenceTimeout (atomically (readTVar count >>= check . (/= before)))
-        when (isNothing came) . atomically $ do
-          writeTVar present False
-          writeTVar heard False
-          enqueue hearing (Disconnected (tr "nothing was heard of it for a second"))
-        watch
   core <- askCore
-  let -- Until the robot is there: what it waits for.
-      reportMissing told = do
-        threadDelay silenceTimeout
-        -- Odometry may arrive while the listeners are waited for.
-        there <- readTVarIO heard
-        answer <- if there then pure Nothing else Just <$> Master.hasParam (master core) "/run_id"
-        let why = case answer of
-              Nothing -> unknownReason
-              Just (Left _) -> tr "no ROS master answers; does roscore run there?"
-              Just (Right _) -> trWith "the ROS master answers and no node publishes odometry as {topic}; does the base's own program run?" ["topic" =: T.pack (odometryTopic known)]
-        when (why /= told && why /= unknownReason) (atomically (enqueue hearing (Disconnected why)))
-        reportMissing why
+  let missing = reportMissing presence (Master.hasParam (master core) "/run_id") (odometryTopic known)
   nodeIO $ \run ->
-    withAsync watch $ \_ -> withAsync (reportMissing unknownReason) $ \_ ->
+    withAsync (watchSilence presence) $ \_ -> withAsync (missing unknownReason) $ \_ ->
       withAsync (run awaitEnd >>= atomically . enqueue hearing . Disconnected . because) (const (use connection))
   where
     because why = case why of
       AskedTo reason -> verbatim (T.pack reason)
       _ -> tr "this node ended"
+
+-- | Routes whose messages are described.
+described :: [Route] -> [Route]
+described = filter (hasDefinition . T.unpack . routeType)
+
+-- * Whether the robot is there
+
+-- | What odometry tells of the robot.
+data Presence = Presence
+  { events :: EventQueue,
+    -- | whether odometry has arrived since the robot was lost
+    heard :: TVar Bool,
+    -- | messages of odometry so far
+    count :: TVar Int,
+    -- | whether the robot is connected
+    present :: TVar Bool
+  }
+
+-- | Takes a message of odometry. The first connects the robot, after an action that waits for its listeners.
+odometryArrives :: Presence -> IO () -> Message -> IO ()
+odometryArrives presence listening o = do
+  there <- readTVarIO (present presence)
+  atomically (writeTVar (heard presence) True)
+  unless there listening
+  atomically $ do
+    wasPresent <- swapTVar (present presence) True
+    unless wasPresent (enqueue (events presence) Connected)
+    modifyTVar' (count presence) (+ 1)
+    enqueue (events presence) (Received o)
+
+-- | Reports a connected robot as lost when its odometry stops.
+watchSilence :: Presence -> IO ()
+watchSilence presence = do
+  -- Only a connected robot can be lost.
+  atomically (readTVar (present presence) >>= check)
+  before <- readTVarIO (count presence)
+  came <- timeoutInSlices silenceTimeout (atomically (readTVar (count presence) >>= check . (/= before)))
+  when (isNothing came) . atomically $ do
+    writeTVar (present presence) False
+    writeTVar (heard presence) False
+    enqueue (events presence) (Disconnected (tr "nothing was heard of it for a second"))
+  watchSilence presence
+
+-- | Until the robot is there: reports what it waits for. Takes a question to the master, the topic of odometry, and what was reported last.
+reportMissing :: Presence -> IO (Either failure Bool) -> String -> Sentence -> IO ()
+reportMissing presence askMaster topic told = do
+  threadDelay silenceTimeout
+  -- Odometry may arrive while the listeners are waited for.
+  there <- readTVarIO (heard presence)
+  answer <- if there then pure Nothing else Just <$> askMaster
+  let why = case answer of
+        Nothing -> unknownReason
+        Just (Left _) -> tr "no ROS master answers; does roscore run there?"
+        Just (Right _) -> trWith "the ROS master answers and no node publishes odometry as {topic}; does the base's own program run?" ["topic" =: T.pack topic]
+  when (why /= told && why /= unknownReason) (atomically (enqueue (events presence) (Disconnected why)))
+  reportMissing presence askMaster topic why
+
+-- * Topics of programs
+
+-- | The topics of the program's own: those that are taken, and the publishers of those that are sent.
+data OwnTopics = OwnTopics {taken :: TVar (Set.Set String), sent :: TVar (Map.Map String (Aeson.Value -> IO ()))}
+
+-- | Takes a message of the robot's channels for the program as well, if it has asked for the topic.
+takeOwn :: EventQueue -> OwnTopics -> NonEmpty Route -> Aeson.Value -> IO ()
+takeOwn hearing own (first :| _) v = do
+  let topic = T.unpack (routeTopic first)
+  isTaken <- Set.member topic <$> readTVarIO (taken own)
+  when isTaken (atomically (enqueue hearing (Received (OpenMessage topic v))))
+
+-- | Subscribes to a topic of the program's own, or publishes it. The result says why that cannot be.
+registerOwn :: EventQueue -> OwnTopics -> [Route] -> Topic -> Node [Sentence]
+registerOwn hearing own known t
+  | not (hasDefinition (topicType t)) = pure [trWith "There is no description of the message {message}, which {topic} has. Put its .msg file in a folder of ROSY_MSG_PATH." ["message" =: T.pack (topicType t), "topic" =: T.pack (topicName t)]]
+  | topicUse t == Taken = do
+    isNew <- liftIO . atomically $ do
+      before <- readTVar (taken own)
+      writeTVar (taken own) (Set.insert (topicName t) before)
+      pure (Set.notMember (topicName t) before && T.pack (topicName t) `notElem` map routeTopic (described (sensorRoutes known)))
+    [] <$ when isNew (receiveOwn t (atomically . enqueue hearing . Received . OpenMessage (topicName t)))
+  | T.pack (topicName t) `elem` map routeTopic (commandRoutes known) = pure []
+  | otherwise = do
+    before <- liftIO (readTVarIO (sent own))
+    [] <$ unless (Map.member (topicName t) before) (senderOwn t >>= \s -> liftIO (atomically (modifyTVar' (sent own) (Map.insert (topicName t) s))))
+
+-- * Messages and the master
 
 -- | Time without a message after which the robot counts as lost, microseconds: fifty odometry messages are missing.
 silenceTimeout :: Int

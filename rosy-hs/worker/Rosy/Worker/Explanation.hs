@@ -15,22 +15,23 @@ where
 
 import Control.Applicative ((<|>))
 import Control.Monad (mfilter)
-import Data.Char (isAlphaNum, isDigit, isUpper)
-import Data.List (nub, nubBy)
-import Data.Maybe (catMaybes, fromMaybe, listToMaybe, mapMaybe)
+import Data.Char (isAlphaNum)
+import Data.Foldable (asum)
+import Data.List (nubBy)
+import Data.Maybe (fromMaybe, listToMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.CompilerMessage
 import Rosy.Worker.Explanation.ConfusableCharacters (explainConfusable)
+import Rosy.Worker.Explanation.DefinitionErrors (definitionErrors)
 import Rosy.Worker.Explanation.EmptyPlaces (whatFits)
-import Rosy.Worker.Explanation.ImportSuggestions (moduleExporting, moduleForAlias)
+import qualified Rosy.Worker.Explanation.MessageParts as Parts
 import Rosy.Worker.Explanation.MessageText
 import Rosy.Worker.Explanation.MissingCases (explainMissingCases)
-import Rosy.Worker.Explanation.OriginalVocabulary (originalOptionsHint)
-import Rosy.Worker.Explanation.QuickFixes (nearMisses, quickFixes)
-import Rosy.Worker.Explanation.RobotVocabulary
+import Rosy.Worker.Explanation.NameErrors (nameErrors, notInScope)
+import Rosy.Worker.Explanation.QuickFixes (quickFixes)
 import Rosy.Worker.Explanation.SyntaxErrors (explainSyntax)
-import Rosy.Worker.Explanation.TextRepair (Program (source, tokens), capitalised, chunkOf, edited, isName, lineAfter, ownerOf, programOf)
+import Rosy.Worker.Explanation.TextRepair (Program (source, tokens), chunkOf, edited, isName, lineAfter, ownerOf, programOf)
 import Rosy.Worker.Explanation.TextualMistakes (textualMistakes)
 import Rosy.Worker.Explanation.Tokenizer (Token (from, word))
 import Rosy.Worker.Explanation.TypeErrors
@@ -152,172 +153,16 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
 -- | Explains one message.
 explain :: ProgramOutline -> CompilerMessage -> Problem
 explain outline raw = case category raw of
-  Syntax -> explainSyntax (text outline) (messageCode raw) said (messageSpan raw)
+  Syntax -> explainSyntax (text outline) (messageCode raw) (Parts.said parts) (messageSpan raw)
   Tabs -> problem "tab" (tr "There is a tab in the program.") (tr "Use spaces: a tab is not equally wide everywhere.")
-  Hole -> hole
-  Scope -> notInScope
+  Hole -> problem "hole" (tr "Something is missing here.") (whatFits raw)
+  Scope -> notInScope parts
   IncompletePatterns -> uncurry (problem "missing-cases") (explainMissingCases outline raw)
   OverlappingPatterns -> problem "unreachable" (tr "This case is never reached.") (tr "The cases above it take everything already.")
-  MissingFields -> problem "missing-field" (tr "A value is missing in this record.") (maybe (tr "Give it a value too.") (\f -> trWith "Give it a value too: {field}" ["field" =: f]) (listToMaybe (drop 1 (quotedParts said))))
-  MissingMethods -> problem "missing-method" (tr "This instance is not complete.") (trWith "Define {or names} as well." ["names" =* quotedParts said])
+  MissingFields -> problem "missing-field" (tr "A value is missing in this record.") (maybe (tr "Give it a value too.") (\f -> trWith "Give it a value too: {field}" ["field" =: f]) (listToMaybe (drop 1 (Parts.names parts))))
+  MissingMethods -> problem "missing-method" (tr "This instance is not complete.") (trWith "Define {or names} as well." ["names" =* Parts.names parts])
   Other -> problem "other" (tr "The compiler has a remark about this.") (tr "Its own words are one click away.")
-  Types -> fromMaybe unknown (listToMaybe (catMaybes [shape, explainTypes outline raw]))
+  Types -> fromMaybe (problem "other" (tr "The compiler does not accept this.") (tr "Its own words are one click away.")) (asum (map ($ parts) (nameErrors ++ definitionErrors)) <|> explainTypes outline raw)
   where
-    said = oneLine (Text.unwords (important raw))
-    everything = oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw))
-    problem k m h = Problem (messageSeverity raw) k (messageSpan raw) Nothing m h "" []
-    names = quotedParts said
-    firstName = fromMaybe "this" (listToMaybe names)
-    saying t = t `Text.isInfixOf` said
-    -- By GHC's code where the message has one; by its prose where it has none, as in GHC 9.0.
-    states number t = maybe (saying t) (== number) (messageCode raw)
-    unknown = problem "other" (tr "The compiler does not accept this.") (tr "Its own words are one click away.")
-
-    hole = problem "hole" (tr "Something is missing here.") (whatFits raw)
-
-    notImported = case (finding raw, qualifier) of
-      (Just (ModuleNotImported q), _) -> Just q
-      -- GHC 9.4 leaves out the qualifier, and that its module is not imported.
-      (Nothing, Just q) | saying "Variable not in scope", not (imports q) -> Just q
-      _ -> Nothing
-    imports q = or [q `elem` ws | "import" : ws <- map Text.words (Text.lines (text outline))]
-    -- Of the unknown name, as the program has it.
-    qualifier = Text.stripSuffix ("." <> nameAlone) =<< snippet (text outline) =<< messageSpan raw
-    moduleNotImported q = problem "not-in-scope" (trWith "‘{module}’ is not imported." ["module" =: q]) (importHint q)
-
-    notInScope
-      | Just q <- notImported = moduleNotImported q
-      | Just advice <- unitHint unknownName, endsInNumber before = problem "unit" (tr "A number is written without its unit.") advice
-      | behindDot = problem "operator" (tr "A value has no parts after a dot.") (tr "Take it apart with a pattern, for example: (Position x y)")
-      | Text.isPrefixOf "(" unknownName = problem "operator" (trWith "There is no sign ‘{sign}’." ["sign" =: sign]) (fromMaybe (nearMiss everything sign) (foreignNameHint sign))
-      | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: unknownName]) (fromMaybe (nearMiss everything unknownName) (foreignNameHint unknownName))
-    endsInNumber = maybe False (isDigit . snd) . Text.unsnoc . Text.stripEnd
-    nameAlone = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
-    unknownName = maybe nameAlone (<> "." <> nameAlone) qualifier
-    sign = Text.dropAround (`elem` ("()" :: String)) unknownName
-    before = maybe "" (\s -> Text.take (column (start s) - 1) (lineOf s)) (messageSpan raw)
-    lineOf s = fromMaybe "" (listToMaybe (drop (line (start s) - 1) (Text.lines (text outline))))
-    lastWord = maybe "" (Text.dropWhile (== '(')) . listToMaybe . reverse . Text.words
-    -- As in p.x: the dot touches both.
-    behindDot = case Text.unsnoc before of
-      Just (rest, '.') | Just (_, c) <- Text.unsnoc rest -> isAlphaNum c || c == ')'
-      _ -> False
-
-    -- Messages without types.
-    shape
-      | Just q <- notImported = Just (moduleNotImported q)
-      | Just rest <- after "Not in scope: " said = Just (undefinedThing rest)
-      | saying "not in scope:" = Just notInScope
-      | states 29916 "Multiple declarations of" || states 10498 "Conflicting definitions for" = Just (problem "duplicate" (trWith "‘{name}’ is defined twice." ["name" =: firstName]) (otherPlace (tr "Rename one of them, or put equations of the same function next to each other.")))
-      | states 31744 "Duplicate type signatures" = Just (problem "duplicate" (trWith "‘{name}’ has two types." ["name" =: firstName]) (tr "Remove one of them."))
-      | states 44432 "lacks an accompanying binding" = Just (problem "missing-definition" (trWith "‘{name}’ has a type but no definition." ["name" =: firstName]) (lacking everything))
-      | states 91938 "different numbers of arguments" = Just (problem "argument-count" (trWith "The equations of ‘{name}’ take different numbers of values." ["name" =: firstName]) (if any looseParts (maybe [] (\r -> take (line (end r) - line (start r) + 1) (drop (line (start r) - 1) (Text.lines (text outline)))) (messageSpan raw)) then tr "A pattern with parts needs brackets, for example: (Bumper _ Pressed)" else tr "Give each of them the same number of patterns: _ stands for anything."))
-      | states 87543 "Ambiguous occurrence" = Just (problem "ambiguous-name" (trWith "‘{name}’ is the name of two things." ["name" =: firstName]) (whichOne firstName everything))
-      | states 55814 "The last statement in a 'do' block" = Just (problem "incomplete" (tr "A do block cannot end like this.") (tr "Its last line says what to do: add one."))
-      | saying "Empty 'do' block" = Just (problem "incomplete" (tr "Nothing follows this ‘do’.") (tr "Write what to do on the next line, indented."))
-      | firstName `elem` ["Left", "Right"], Just side <- lookup (lastWord before) [("Bumper", "BumperSide"), ("Cliff", "CliffSide"), ("Wheel", "WheelSide")], saying "but has been given none" = Just (problem "type-mismatch" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: "Either a b", "needed" =: side]) (mismatchHint side "Either a b"))
-      | saying "should have" && saying "arguments, but has been given" || saying "should have" && saying "argument, but has been given" = Just (patternArguments firstName)
-      | saying "does not have the required strict field" = Just (problem "missing-field" (trWith "This ‘{name}’ is not complete." ["name" =: firstName]) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
-      | saying "does not have field" = Just (problem "unknown-field" (maybe (trWith "‘{name}’ has no field called that." ["name" =: firstName]) (\f -> trWith "‘{name}’ has no field called ‘{field}’." ["name" =: firstName, "field" =: f]) (listToMaybe (drop 1 names))) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName]))
-      | saying "is not a (visible) field" || saying "is not a record selector" = Just (problem "unknown-field" (trWith "‘{name}’ is not a field." ["name" =: firstName]) (fromMaybe (tr "Write the constructor and its values in order.") (originalOptionsHint before)))
-      | saying "cannot mix" = Just (problem "operator" (tr "Two comparisons cannot follow one another.") (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (messageSpan raw >>= snippet (text outline)))) then tr "In Haskell, and is written &&, or is written ||." else tr "Join them with &&: 3 < s && s < 5"))
-      | Just ('\'', _) <- Text.uncons =<< (messageSpan raw >>= snippet (text outline)) = Just (problem "character" (tr "Single quotation marks are for one letter.") (tr "A text is written between double ones: \"hello\""))
-      | saying "Expecting" && saying "more argument" = Just (problem "type-argument" (trWith "‘{name}’ needs another type beside it." ["name" =: firstName]) ofWhat)
-      | saying "Expected kind" && saying "but", typeHead (fromMaybe "" (listToMaybe (drop 1 names))) == "Task" = Just (problem "type-argument" (tr "‘Task’ takes one type: what the task ends with.") (tr "Remove the first of the two, for example: Task ()"))
-      | saying "Expected kind" && saying "but" = Just (problem "type-argument" (trWith "‘{type}’ is a complete type: nothing can follow it." ["type" =: typeHead (fromMaybe "" (listToMaybe (drop 1 names)))]) (tr "Remove what comes after it, or put an arrow -> between."))
-      | saying "Expected a type, but" || saying "Expected a constraint" = Just (problem "type-argument" (trWith "‘{name}’ cannot be used in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineOf) (messageSpan raw) then tr "An arrow -> goes between what a function takes and what it gives." else tr "Check the type for a missing arrow or bracket."))
-      | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just (problem "pattern" (tr "This cannot be on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts."))
-      | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just (problem "extension" (tr "This needs a language extension that is not switched on.") (tr "There is nearly always a simpler way to say it."))
-      | states 54721 "method of class" = Just (problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that are in the class."))
-      | states 23517 "newtype must have exactly one" = Just (problem "newtype" (tr "A newtype holds exactly one value.") (tr "For more than one, write data."))
-      | saying "No explicit implementation" = Just (problem "missing-method" (tr "This instance is not complete.") (tr "Define its functions as well."))
-      | states 59692 "Duplicate instance declarations",
-        (c, t) : _ <- [(c, t) | c <- ["Sensor", "Command"], Just t <- [between ("instance " <> c <> " ") " -- Defined in ‘Rosy." said]] =
-        Just (problem "duplicate" (if c == "Sensor" then trWith "The robot has a sensor ‘{type}’ already." ["type" =: t] else trWith "The robot has a command ‘{type}’ already." ["type" =: t]) (trWith "Remove this declaration. For a topic of your own declare a type: newtype My{type} = My{type} {type}" ["type" =: t]))
-      | states 59692 "Duplicate instance declarations" = Just (problem "duplicate" (tr "Rosy has done this for you already.") (tr "Remove this declaration."))
-      | saying "does not export" = Just (problem "not-in-scope" (maybe (trWith "The module ‘{module}’ has no such name." ["module" =: firstName]) (\n -> trWith "The module ‘{module}’ has no ‘{name}’." ["module" =: firstName, "name" =: n]) (listToMaybe (drop 1 names))) (tr "Check its spelling."))
-      | saying "Could not find module" || saying "Could not load module" = Just (problem "import" (trWith "The module ‘{module}’ is not available here." ["module" =: firstName]) (tr "Remove this import."))
-      | otherwise = Nothing
-
-    undefinedThing rest
-      | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number is written without its unit.") advice
-      | finding raw == Just ConstructorAsType || "data constructor of that name" `Text.isInfixOf` Text.unwords [said, everything] = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
-      | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double")
-      | any (`Text.isInfixOf` everything) ["No module named", "no module named"],
-        module_ <- fromMaybe "" (listToMaybe (drop 1 names)) =
-        moduleNotImported module_
-      | "type constructor or class" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (fromMaybe (if amongValues then tr "If it is one more value of this type, write | in front of it." else nearMiss everything firstName) (foreignNameHint firstName))
-      | otherwise = problem "not-in-scope" (trWith "There is nothing called ‘{name}’." ["name" =: firstName]) (fromMaybe (nearMiss everything firstName) (originalOptionsHint before <|> foreignNameHint firstName))
-
-    -- As in: data Mode = Go Stop
-    amongValues = null (nearMisses everything firstName) && "data" `elem` take 1 (Text.words (maybe "" lineOf (messageSpan raw))) && "=" `Text.isInfixOf` before
-
-    patternArguments c =
-      let counts = mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" said)))
-       in case counts of
-            1 : 0 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds one value, but here none are named." ["name" =: c]) (withParts c 1)
-            wanted : 0 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here none are named." ["name" =: c, "wanted" =# wanted]) (withParts c wanted)
-            1 : given : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds one value, but here {count given} are named." ["name" =: c, "given" =# given]) nameEach
-            wanted : 1 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here one is named." ["name" =: c, "wanted" =# wanted]) nameEach
-            wanted : given : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here {count given} are named." ["name" =: c, "wanted" =# wanted, "given" =# given]) nameEach
-            _ -> problem "pattern-arguments" (trWith "‘{name}’ does not hold that many values." ["name" =: c]) nameEach
-    withParts c wanted = trWith "Write it with its parts in brackets: ({code})" ["code" =: Text.unwords (c : replicate wanted "_")]
-    nameEach = tr "Name each of them: _ stands for one that is not needed."
-
-    -- The hint for a type without the one that it is about.
-    ofWhat
-      | firstName == "Memory" = trWith "Say what is remembered, for example: {example}" ["example" =: exampleOf firstName]
-      | firstName `elem` ["Task", "Done"] = trWith "Say with what it ends, for example: {example}" ["example" =: exampleOf firstName]
-      | otherwise = trWith "Say of what, for example: {example}" ["example" =: exampleOf firstName]
-
-    otherPlace advice = case nub (mapMaybe lineIn (filter ("Main.hs:" `Text.isPrefixOf`) (Text.words said))) of
-      l : _ | Just l /= fmap (line . start) (messageSpan raw) -> trWith "The other is in line {line}: remove or rename one of them." ["line" =# l]
-      _ -> advice
-    lineIn w = readNumber (Text.takeWhile (/= ':') (Text.drop (Text.length "Main.hs:") w))
-
--- | Whether the left side of an equation applies a constructor without brackets.
-looseParts :: Text -> Bool
-looseParts l = or (zipWith (\w next -> isConstructor w && next /= "=") ws (drop 1 ws))
-  where
-    ws = drop 1 (Text.words (fst (Text.breakOn " = " l)))
-    isConstructor w = maybe False (isUpper . fst) (Text.uncons w)
-
-readNumber :: Text -> Maybe Int
-readNumber "none" = Just 0
-readNumber t = case reads (Text.unpack (Text.dropWhileEnd (`elem` (".,:" :: String)) t)) of
-  [(n, "")] -> Just n
-  _ -> Nothing
-
-typeHead :: Type -> Type
-typeHead t = fromMaybe t (listToMaybe (typeAtoms t))
-
--- | Suggests similar names.
-nearMiss :: Text -> Text -> Sentence
-nearMiss everything unknownName = case nearMisses everything unknownName of
-  [] -> maybe (tr "Check its spelling, or define it.") (\m -> trWith "It comes with Haskell: write at the top: import {module} ({name})" ["module" =: m, "name" =: unknownName]) (moduleExporting unknownName)
-  [x]
-    | Text.toLower x == x, Text.toUpper x == unknownName, Text.length x > 1 -> trWith "Write it in small letters: {name}" ["name" =: x]
-    | capitalised x == unknownName -> trWith "Write it with a small letter: {name}" ["name" =: x]
-    | x == capitalised unknownName -> trWith "Write it with a capital letter: {name}" ["name" =: x]
-    | Text.toLower x == Text.toLower unknownName -> trWith "Capital and small letters count: {name}" ["name" =: x]
-  xs -> trWith "Did you mean {or names}?" ["names" =* take 3 xs]
-
--- | Hint for a name with two definitions, one of which may be in the program.
-whichOne :: Text -> Text -> Sentence
-whichOne name everything
-  | "defined at" `Text.isInfixOf` everything = maybe (tr "Give yours another name.") (\m -> trWith "One comes from {module}: give yours another name." ["module" =: m]) (listToMaybe modules)
-  | m : _ <- filter (`notElem` ["Prelude", "Rosy"]) modules = trWith "Keep what comes from {module} apart: write import qualified {module} as {alias}, and then {alias}.{name}" ["module" =: m, "alias" =: shortOf m, "name" =: name]
-  | otherwise = tr "Write the module in front of it."
-  where
-    modules = [Text.takeWhile (/= '’') t | t <- drop 1 (Text.splitOn "imported from ‘" everything)]
-    shortOf m = last (Text.splitOn "." m)
-
-lacking :: Text -> Sentence
-lacking everything = case maybe [] quotedParts (after "Perhaps you meant" everything) of
-  x : _ -> trWith "Did you mean {or names}?" ["names" =* [x]]
-  [] -> tr "Write an equation for it below its type."
-
-importHint :: Text -> Sentence
-importHint q = case moduleForAlias q of
-  Just m -> trWith "Write at the top: import qualified {module} as {alias}" ["module" =: m, "alias" =: q]
-  Nothing -> tr "Import the module, or leave out what comes before the dot."
+    parts = Parts.messageParts outline raw
+    problem = Parts.problem parts

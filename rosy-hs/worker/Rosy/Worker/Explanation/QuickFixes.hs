@@ -31,20 +31,20 @@ import Rosy.Worker.Sentence
 -- | The fixes of a problem, the most likely first.
 quickFixes :: ProgramOutline -> CompilerMessage -> Problem -> [Fix]
 quickFixes outline raw p = case (kind p, place p) of
-  (unknown, Just s) | unknown `elem` ["not-in-scope", "operator"], fixes@(_ : _) <- originalNameFixes source s -> fixes
+  (unknown, Just s) | unknown `elem` ["not-in-scope", "operator"], found@(_ : _) <- originalNameFixes source s -> found
   ("unknown-field", Just s) -> originalNameFixes source s
   ("type-argument", Just s) | "takes one type" `Text.isInfixOf` english (message p) -> oneTypeForTask source s
   ("not-in-scope", Just at) ->
-    let s = withoutBackticks at
-     in map (spelled s) (take 3 (maybe (if textAt source s `elem` ("right" : loopWords) then [] else nearMisses everything (textAt source s)) pure (rosySpelling (textAt source s)))) ++ imports s
-  ("missing-definition", Just s) -> map (spelled s) (take 1 (nearMisses everything (textAt source s))) ++ equation s
-  ("hole", Just s) -> [Fix (trWith "Fill in {name}" ["name" =: n]) [Edit s n] | n <- fitting]
-  ("missing-cases", Just s) -> cases s
-  ("bracket", Just s) -> bracket s
-  ("controller-needed", Just s) | "Give a Call" `Text.isPrefixOf` english (hint p) -> startedWithCall s
-  ("missing-quote", Just s) -> [Fix (tr "Close the text") [Edit (nothingAt (endOfText s)) "\""]]
+    let s = withoutBackticks source at
+     in map (spelled s) (take 3 (maybe (if textAt source s `elem` ("right" : loopWords) then [] else nearMisses everything (textAt source s)) pure (rosySpelling (textAt source s)))) ++ imports source s
+  ("missing-definition", Just s) -> map (spelled s) (take 1 (nearMisses everything (textAt source s))) ++ equation outline s
+  ("hole", Just s) -> [Fix (trWith "Fill in {name}" ["name" =: n]) [Edit s n] | n <- fitting p]
+  ("missing-cases", Just s) -> missingCases outline raw s
+  ("bracket", Just s) -> brackets source p s
+  ("controller-needed", Just s) | "Give a Call" `Text.isPrefixOf` english (hint p) -> startedWithCall outline p s
+  ("missing-quote", Just s) -> [Fix (tr "Close the text") [Edit (nothingAt (endOfText source s)) "\""]]
   ("missing-just", Just s) -> [Fix (tr "Write Just in front") [Edit s ("Just " <> bracketed (textAt source s))]]
-  ("negative-number", Just s) -> negative s
+  ("negative-number", Just s) -> negative source s
   ("comparison", Just s) -> [Fix (tr "Compare with ==") [Edit s "=="]]
   ("missing-arrow", Just s) -> [Fix (tr "Write an arrow") [Edit s (if textAt source s == "," then " ->" else "->")]]
   ("missing-colon", Just s) -> [Fix (tr "Write two colons") [Edit s "::"]]
@@ -57,55 +57,73 @@ quickFixes outline raw p = case (kind p, place p) of
   ("comment", Just s) -> [Fix (tr "Write --") [Edit s "--"]]
   ("missing-where", Just s) -> [Fix (tr "Add where") [Edit (nothingAt (end s)) " where"]]
   ("word", Just s) | textAt source s `elem` ["elif", "elsif", "elseif"] -> [Fix (tr "Write else if") [Edit (tokenSpan t) "else if" | t <- tokenize source, word t == textAt source s]]
-  ("lower-case-type", Just s) -> [Fix (trWith "Write {code}" ["code" =: n]) [Edit s n] | n <- [capitalised (textAt source s)], n `elem` robotNames, not (isRepeated s)]
-  ("guard", Just s) | textAt source s == "=", guardsFollow s -> [Fix (trWith "Remove {code}" ["code" =: "="]) [Edit s ""]]
+  ("lower-case-type", Just s) -> [Fix (trWith "Write {code}" ["code" =: n]) [Edit s n] | n <- [capitalised (textAt source s)], n `elem` robotNames, not (isRepeated source s)]
+  ("guard", Just s) | textAt source s == "=", guardsFollow source s -> [Fix (trWith "Remove {code}" ["code" =: "="]) [Edit s ""]]
   ("type-mismatch", _) -> fixes p
   ("done-type", _) -> fixes p
   ("pattern", _) -> fixes p
-  ("tab", _) -> [Fix (tr "Write spaces for all tabs") tabs | not (null tabs)]
+  ("tab", _) -> [Fix (tr "Write spaces for all tabs") (tabs source) | not (null (tabs source))]
   _ -> []
   where
     source = text outline
-    -- One capital letter leaves another name as it is.
-    isRepeated s = length [t | t <- tokenize source, word t == textAt source s] /= 1
     everything = oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw))
     spelled s n = Fix (trWith "Write {code}" ["code" =: n]) [Edit s n]
 
-    -- Before the brackets that were opened on the line before the text, and are closed at its end.
-    endOfText s =
-      let before = Text.take (column (start s) - 1) (lineOf source (line (start s)))
-          open = Text.count "(" before - Text.count ")" before
-          closed = Text.length (Text.takeWhileEnd (== ')') (textAt source s))
-       in (end s) {column = column (end s) - max 0 (min open closed)}
+-- * Names
 
-    -- Whether the first guard behind this has an equals sign of its own.
-    guardsFollow s = case dropWhile ((<= start s) . from) (tokenize source) of
-      bar : rest -> word bar == "|" && "=" `elem` takeWhile (`notElem` ["|", "->"]) (map word rest)
-      [] -> False
+-- | Whether a word stands elsewhere as well: one capital letter leaves another name as it is.
+isRepeated :: Text -> Span -> Bool
+isRepeated source s = length [t | t <- tokenize source, word t == textAt source s] /= 1
 
-    -- The hint already lists names that fit the hole.
-    fitting = maybe [] quotedParts (after "for example " (english (hint p)))
+-- | Names that fit a hole: the hint lists them already.
+fitting :: Problem -> [Text]
+fitting p = maybe [] quotedParts (after "for example " (english (hint p)))
 
-    -- A function used as an operator is reported with its backticks.
-    withoutBackticks s@(Span from to)
-      | "`" `Text.isPrefixOf` textAt source s = Span from {column = column from + 1} to {column = column to - 1}
-      | otherwise = s
+-- | A function used as an operator is reported with its backticks.
+withoutBackticks :: Text -> Span -> Span
+withoutBackticks source s@(Span begin stop)
+  | "`" `Text.isPrefixOf` textAt source s = Span begin {column = column begin + 1} stop {column = column stop - 1}
+  | otherwise = s
 
-    imports s =
-      [ Fix (trWith "Import {name}" ["name" =: what]) [Edit (nothingAt (importPlace source)) (line' <> "\n")]
-        | (what, line') <- case Text.breakOnEnd "." (textAt source s) of
-            (q, _) | not (Text.null q) -> [(m, "import qualified " <> m <> " as " <> q') | q' <- [Text.dropEnd 1 q], Just m <- [moduleForAlias q']]
-            (_, n) -> [(n, "import " <> m <> " (" <> n <> ")") | Just m <- [moduleExporting n]]
-      ]
+imports :: Text -> Span -> [Fix]
+imports source s =
+  [ Fix (trWith "Import {name}" ["name" =: what]) [Edit (nothingAt (importPlace source)) (line' <> "\n")]
+    | (what, line') <- case Text.breakOnEnd "." (textAt source s) of
+        (q, _) | not (Text.null q) -> [(m, "import qualified " <> m <> " as " <> q') | q' <- [Text.dropEnd 1 q], Just m <- [moduleForAlias q']]
+        (_, n) -> [(n, "import " <> m <> " (" <> n <> ")") | Just m <- [moduleExporting n]]
+  ]
 
-    equation s =
-      [ Fix (trWith "Define {name}" ["name" =: n]) [Edit (nothingAt (end whole)) ("\n" <> n <> Text.replicate (arrows n) " _" <> " = _")]
-        | n <- [textAt source s],
-          Just whole <- [lookup n (signatures outline)]
-      ]
+-- | An equation for a type without a definition.
+equation :: ProgramOutline -> Span -> [Fix]
+equation outline s =
+  [ Fix (trWith "Define {name}" ["name" =: n]) [Edit (nothingAt (end whole)) ("\n" <> n <> Text.replicate (arrows n) " _" <> " = _")]
+    | n <- [textAt source s],
+      Just whole <- [lookup n (signatures outline)]
+  ]
+  where
+    source = text outline
     arrows n = maybe 0 (\whole -> length (splitArrows (fromMaybe "" (after "::" (oneLine (textAt source whole))))) - 1) (lookup n (signatures outline))
 
-    tabs = [Edit (Span (Position l c) (Position l (c + 1))) (Text.replicate (width l c) " ") | (l, t) <- zip [1 ..] (Text.lines source), c <- tabsIn t]
+-- * Texts and signs
+
+-- | Before the brackets that were opened on the line before the text, and are closed at its end.
+endOfText :: Text -> Span -> Position
+endOfText source s =
+  let before = Text.take (column (start s) - 1) (lineOf source (line (start s)))
+      open = Text.count "(" before - Text.count ")" before
+      closed = Text.length (Text.takeWhileEnd (== ')') (textAt source s))
+   in (end s) {column = column (end s) - max 0 (min open closed)}
+
+-- | Whether the first guard behind this has an equals sign of its own.
+guardsFollow :: Text -> Span -> Bool
+guardsFollow source s = case dropWhile ((<= start s) . from) (tokenize source) of
+  bar : rest -> word bar == "|" && "=" `elem` takeWhile (`notElem` ["|", "->"]) (map word rest)
+  [] -> False
+
+-- | Spaces for each tab of the program.
+tabs :: Text -> [Edit]
+tabs source = [Edit (Span (Position l c) (Position l (c + 1))) (Text.replicate (width l c) " ") | (l, t) <- zip [1 ..] (Text.lines source), c <- tabsIn t]
+  where
     tabsIn t = [c | (c, '\t') <- zip [1 ..] (Text.unpack t)]
     -- A tab goes on to the next column after a multiple of eight.
     width l c = 8 - (foldl' advance 0 (take (c - 1) (Text.unpack (lineOf source l))) `mod` 8)
@@ -113,67 +131,89 @@ quickFixes outline raw p = case (kind p, place p) of
     advance n _ = n + 1 :: Int
     foldl' f z xs = foldr (\x k acc -> k $! f acc x) id xs z
 
-    negative s =
-      let rest = Text.drop (column (start s) - 1) (lineOf source (line (start s)))
-          (sign, behind) = Text.splitAt (column (end s) - column (start s)) rest
-          gap = Text.takeWhile isSpace behind
-          value = Text.takeWhile (\c -> isAlphaNum c || c `elem` ("._'" :: String)) (Text.dropWhile isSpace behind)
-          upto = (end s) {column = column (end s) + Text.length gap + Text.length value}
-       in [Fix (tr "Put brackets around it") [Edit (Span (start s) upto) ("(" <> sign <> value <> ")")] | sign == "-", not (Text.null value)]
+-- | Brackets around a negative number.
+negative :: Text -> Span -> [Fix]
+negative source s =
+  let rest = Text.drop (column (start s) - 1) (lineOf source (line (start s)))
+      (sign, behind) = Text.splitAt (column (end s) - column (start s)) rest
+      gap = Text.takeWhile isSpace behind
+      value = Text.takeWhile (\c -> isAlphaNum c || c `elem` ("._'" :: String)) (Text.dropWhile isSpace behind)
+      upto = (end s) {column = column (end s) + Text.length gap + Text.length value}
+   in [Fix (tr "Put brackets around it") [Edit (Span (start s) upto) ("(" <> sign <> value <> ")")] | sign == "-", not (Text.null value)]
 
-    cases s = [Fix (tr "Add a last guard") [Edit (nothingAt (endOfGuards g)) ("\n" <> Text.replicate (guardColumn g - 1) " " <> "| otherwise " <> separator g <> " _")] | Just g <- [openGuards outline raw]] ++ (if isMultiWayIf then [] else maybe (alternatives s) (`equations` s) owner)
-    isMultiWayIf = "multi-way if" `Text.isInfixOf` everything
-    owner = functionWithEquations raw
+-- * Missing cases
+
+missingCases :: ProgramOutline -> CompilerMessage -> Span -> [Fix]
+missingCases outline raw s = withLastGuard ++ (if isMultiWayIf then [] else maybe (alternatives raw (text outline) s) (equations outline raw s) (functionWithEquations raw))
+  where
+    withLastGuard = [Fix (tr "Add a last guard") [Edit (nothingAt (endOfGuards g)) ("\n" <> Text.replicate (guardColumn g - 1) " " <> "| otherwise " <> separator g <> " _")] | Just g <- [openGuards outline raw]]
+    isMultiWayIf = "multi-way if" `Text.isInfixOf` oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw))
+
+-- | The missing cases, if the list of them is complete and every pattern can be written as reported.
+writableCases :: CompilerMessage -> Maybe [Text]
+writableCases raw = if not (null missing) && all writable missing then Just missing else Nothing
+  where
     missing = unmatchedPatterns raw
-    -- The list is complete and every pattern can be written as reported.
-    exact = not (null missing) && all writable missing
     writable m = not (" where " `Text.isInfixOf` m) && m /= "..."
 
-    equations name s =
-      let begin = maybe (start s) start (lookup name (bindings outline))
-          n = arity source begin
-          left ps = "\n" <> Text.replicate (column begin - 1) " " <> name <> " " <> ps <> " = _"
-          whole m = if n == 1 then bracketed m else m
-       in [Fix (tr "Add the missing cases") [Edit (nothingAt (end s)) (Text.concat (map (left . whole) missing))] | exact, n > 0]
-            ++ [Fix (tr "Add a case for everything else") [Edit (nothingAt (end s)) (left (Text.unwords (replicate n "_")))] | n > 0]
+-- | More equations of a function.
+equations :: ProgramOutline -> CompilerMessage -> Span -> Text -> [Fix]
+equations outline raw s name =
+  let begin = maybe (start s) start (lookup name (bindings outline))
+      n = arity (text outline) begin
+      left ps = "\n" <> Text.replicate (column begin - 1) " " <> name <> " " <> ps <> " = _"
+      whole m = if n == 1 then bracketed m else m
+   in [Fix (tr "Add the missing cases") [Edit (nothingAt (end s)) (Text.concat (map (left . whole) missing))] | n > 0, Just missing <- [writableCases raw]]
+        ++ [Fix (tr "Add a case for everything else") [Edit (nothingAt (end s)) (left (Text.unwords (replicate n "_")))] | n > 0]
 
-    alternatives s = case filter (not . Text.null . Text.strip) (map (lineOf source) [line (start s) + 1 .. line (end s)]) of
-      first : _ ->
-        let indent = Text.takeWhile isSpace first
-            right m = "\n" <> indent <> m <> " -> _"
-         in [Fix (tr "Add the missing cases") [Edit (nothingAt (end s)) (Text.concat (map right missing))] | exact]
-              ++ [Fix (tr "Add a case for everything else") [Edit (nothingAt (end s)) (right "_")]]
-      [] -> []
+-- | More alternatives of a case.
+alternatives :: CompilerMessage -> Text -> Span -> [Fix]
+alternatives raw source s = case filter (not . Text.null . Text.strip) (map (lineOf source) [line (start s) + 1 .. line (end s)]) of
+  first : _ ->
+    let indent = Text.takeWhile isSpace first
+        right m = "\n" <> indent <> m <> " -> _"
+     in [Fix (tr "Add the missing cases") [Edit (nothingAt (end s)) (Text.concat (map right missing))] | Just missing <- [writableCases raw]]
+          ++ [Fix (tr "Add a case for everything else") [Edit (nothingAt (end s)) (right "_")]]
+  [] -> []
 
-    -- The task of a function with one equation, started beside it.
-    startedWithCall s =
-      [ Fix (tr "Start it with call") [Edit s "Call", Edit (nothingAt (from body)) "call (", Edit (nothingAt (end whole)) ") callOptions"]
-        | "Task" `Text.isPrefixOf` textAt source s,
-          Just f <- [function p],
-          Just whole <- [lookup f (bindings outline)],
-          let inside = [t | t <- tokenize source, from t >= start whole, from t < end whole],
-          all ((`notElem` ["|", "where"]) . word) inside,
-          [_, body : _] <- [splitOnEquals inside]
-      ]
+-- * Tasks and brackets
+
+-- | The task of a function with one equation, started beside it.
+startedWithCall :: ProgramOutline -> Problem -> Span -> [Fix]
+startedWithCall outline p s =
+  [ Fix (tr "Start it with call") [Edit s "Call", Edit (nothingAt (from body)) "call (", Edit (nothingAt (end whole)) ") callOptions"]
+    | "Task" `Text.isPrefixOf` textAt source s,
+      Just f <- [function p],
+      Just whole <- [lookup f (bindings outline)],
+      let inside = [t | t <- tokenize source, from t >= start whole, from t < end whole],
+      all ((`notElem` ["|", "where"]) . word) inside,
+      [_, body : _] <- [splitOnEquals inside]
+  ]
+  where
+    source = text outline
     splitOnEquals ts = case break ((== "=") . word) ts of
       (before, _ : behind) -> before : splitOnEquals behind
       (before, []) -> [before]
 
-    bracket s =
-      let here = textAt source s
-          found = tokenize source
-          opened = find ((== start s) . from) found
-       in case opened of
-            Just t
-              | "never closed" `Text.isInfixOf` english (message p) -> [Fix (trWith "Add {bracket}" ["bracket" =: closing here]) [Edit (nothingAt (closingPlace t (dropWhile ((<= from t) . from) found))) (closing here)]]
-              | Just wanted <- listToMaybe (quotedParts (english (hint p))), "closes a bracket" `Text.isInfixOf` english (message p) -> [Fix (trWith "Write {code}" ["code" =: wanted]) [Edit s wanted]]
-              | otherwise -> [Fix (trWith "Remove {code}" ["code" =: here]) [Edit s ""] | complete (takeWhile ((< from t) . from) found)]
-            Nothing -> []
+-- | A bracket that is never closed, of another kind, or never opened.
+brackets :: Text -> Problem -> Span -> [Fix]
+brackets source p s =
+  let here = textAt source s
+      found = tokenize source
+      opened = find ((== start s) . from) found
+   in case opened of
+        Just t
+          | "never closed" `Text.isInfixOf` english (message p) -> [Fix (trWith "Add {bracket}" ["bracket" =: closing here]) [Edit (nothingAt (closingPlace t (dropWhile ((<= from t) . from) found))) (closing here)]]
+          | Just wanted <- listToMaybe (quotedParts (english (hint p))), "closes a bracket" `Text.isInfixOf` english (message p) -> [Fix (trWith "Write {code}" ["code" =: wanted]) [Edit s wanted]]
+          | otherwise -> [Fix (trWith "Remove {code}" ["code" =: here]) [Edit s ""] | complete (takeWhile ((< from t) . from) found)]
+        Nothing -> []
 
-    -- Whether a definition may end behind these: with a value, and without a comma outside of brackets, which asks for the opening one.
-    complete before = case reverse before of
-      t : _ -> (Text.all isNamed (word t) || word t `elem` [")", "]", "}", "\""]) && not (loose (0 :: Int) (reverse before))
-      [] -> False
+-- | Whether a definition may end behind these: with a value, and without a comma outside of brackets, which asks for the opening one.
+complete :: [Token] -> Bool
+complete before = case reverse before of
+  t : _ -> (Text.all isNamed (word t) || word t `elem` [")", "]", "}", "\""]) && not (loose (0 :: Int) (reverse before))
+  [] -> False
+  where
     isNamed c = isAlphaNum c || c `elem` ("_'" :: String)
     -- From the last token back to the one at the left edge.
     loose _ [] = False

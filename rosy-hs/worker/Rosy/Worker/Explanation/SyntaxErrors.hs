@@ -18,48 +18,15 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Worker.Explanation.CommonSyntaxErrors
 import Rosy.Worker.Explanation.MessageText
+import Rosy.Worker.Explanation.ParseFailure
 import Rosy.Worker.Explanation.SurroundingTokens
 import Rosy.Worker.Explanation.Tokenizer
 import Rosy.Worker.Problem
 import Rosy.Worker.Sentence
 
--- | The program where GHC could not go on.
-data ParseFailure = ParseFailure
-  { source :: Text,
-    -- | GHC's code, from GHC 9.6 on.
-    code :: Maybe Int,
-    -- | GHC's message.
-    said :: Text,
-    -- | All tokens of the program.
-    found :: [Token],
-    -- | Where parsing failed.
-    at :: Position,
-    -- | The token there.
-    here :: Maybe Token,
-    -- | Its word.
-    given :: Maybe Text,
-    -- | The tokens of the current definition before the error.
-    current :: [Token],
-    -- | Their words.
-    words' :: [Text],
-    -- | The tokens on the line of the error.
-    onLine :: [Token]
-  }
-
-failureOf :: Text -> Maybe Int -> Text -> Maybe Span -> ParseFailure
-failureOf source code said spot = ParseFailure {..}
-  where
-    found = tokenize source
-    at = maybe (Position 1 1) start spot
-    here = listToMaybe (dropWhile ((< at) . from) found)
-    given = word <$> here
-    current = reverse (takeDefinition (reverse (takeWhile ((< at) . from) found)))
-    words' = map word current
-    onLine = [t | t <- found, line (from t) == line at]
-
 -- | Explains a syntax error. Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
 explainSyntax :: Text -> Maybe Int -> Text -> Maybe Span -> Problem
-explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap ($ failure) causes ++ fallbackSyntaxErrors (found failure) (at failure)))
+explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap ($ failure) causes ++ fallbackSyntaxErrors failure))
   where
     failure = failureOf source code said spot
     fallback = case here failure of
@@ -77,7 +44,7 @@ causes = [unreadableText, misspelling, mistakeInGuards, mistakeInTasks, mistakeI
 
 -- | Characters, texts, comments and brackets that cannot be read, and mistakes that are found without the place of the error.
 unreadableText :: ParseFailure -> [Problem]
-unreadableText ParseFailure {..} =
+unreadableText failure@ParseFailure {..} =
   concat
     [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
       [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
@@ -88,7 +55,7 @@ unreadableText ParseFailure {..} =
       ],
       -- GHC has read nothing behind the place that it reports, but the bracket that the line lacks may be missed only at its end.
       filter (maybe True (isBefore . start) . place) (brackets found),
-      commonSyntaxErrors source found current at
+      commonSyntaxErrors failure
     ]
   where
     isBefore p = p <= at || line p == line at && column at > 1
