@@ -97,6 +97,11 @@ export function solveRemaining(s: InferenceState): void {
   )
 }
 
+/// Whether a constraint may become part of an inferred type, as `Num [a]` does with FlexibleContexts.
+function mayStandInType({type}: Constraint, {env}: InferenceState): boolean {
+  return env.extensions?.has("FlexibleContexts") === true && metasIn(type).size > 0
+}
+
 export function reduceConstraints(
   s: InferenceState,
   wanted: readonly Wanted[],
@@ -110,7 +115,8 @@ export function reduceConstraints(
     stuck = []
     for (const w of todo) {
       const r = reduce(w, s.env, givens)
-      if (r.kind === "no") s.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
+      if (r.kind === "no" && mayStandInType(r.constraint, s)) s.env.assumed.push(r.constraint)
+      else if (r.kind === "no") s.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
       else for (const c of r.constraints) stuck.push({...c, node: w.node})
     }
     todo = stuck

@@ -1,6 +1,5 @@
 /// Type inference for expressions and for the statements of a `do`.
 
-import {isFractionalLiteral} from "../haskell/lexemes.ts"
 import type {Alternative, Expr, Statement} from "../model/syntax_tree.ts"
 import {unreachable} from "../model/syntax_tree.ts"
 import {
@@ -36,6 +35,7 @@ import {
   variablesIn,
 } from "./syntax/type.ts"
 import {
+  classOfLiteral,
   instantiate,
   isPossiblyImported,
   openConstructor,
@@ -61,10 +61,10 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       unifyAt(s, type, typeOfConstructor(s, e.name, e), e)
       return
     case "number":
-      requireClass(s, isFractionalLiteral(e.text.replace("-", "")) ? "Fractional" : "Num", type, e)
+      requireClass(s, classOfLiteral(s, e.text), type, e)
       return
     case "string":
-      if (s.env.overloadedStrings === true) s.holes.push(type)
+      if (s.env.extensions?.has("OverloadedStrings") === true) s.holes.push(type)
       else unifyAt(s, type, string, e)
       return
     case "character":
@@ -265,7 +265,11 @@ function inferApplication(
         head.kind === "meta" && head.isForeign === true ? {...freshMeta(s), isForeign: true} : freshMeta(s)
       f = {from: part(), to: part()}
       const clash = unify(result, fun(f.from, f.to))
-      if (clash !== undefined) s.problems.push({kind: "too-many-arguments", node, type: fn})
+      if (clash?.isUnread === true) s.holes.push(f.from, f.to)
+      else if (clash !== undefined) {
+        const isOfVariable = prune(clash.left).kind === "var"
+        s.problems.push({kind: "too-many-arguments", node, type: fn, isOfVariable})
+      }
     }
     wanted.push(f.from)
     result = f.to
@@ -321,13 +325,10 @@ function inferUpdate(s: InferenceState, e: Expr & {kind: "update"}, type: Type, 
   unifyAt(s, type, app(con(name), ...after.values()), e)
   checkExpression(s, e.record, app(con(name), ...before.values()), scope)
   for (const f of e.fields) {
-    const field = changed.get(f.name)
-    checkExpression(
-      s,
-      f.value,
-      field === undefined ? freshMeta(s) : expand(substitute(field, after), s.env),
-      scope,
-    )
+    const field = changed.get(f.name) ?? freshMeta(s)
+    // Variables that the type has not stand for what only GHC knows of its fields.
+    const by = new Map([...variablesIn(field)].map(v => [v, after.get(v) ?? unknownType(s, f.name)] as const))
+    checkExpression(s, f.value, expand(substitute(field, by), s.env), scope)
   }
 }
 
@@ -356,6 +357,16 @@ function inferComprehension(
   checkExpression(s, e.body, item, inferQualifiers(s, e.statements, scope, listOf))
 }
 
+/// The scope behind a step of text. `rec` (RecursiveDo) binds the names that stand left of its arrows and equal signs.
+function withRecursiveNames(scope: Scope, text: string): Scope {
+  if (!/^rec(?![\p{L}\p{N}_'])/u.test(text)) return scope
+  const inner = scope.inner()
+  for (const [left] of text.slice(3).matchAll(/[^\n;]*?(?=<-|←|=)/g))
+    for (const [name] of left.matchAll(/(?<![\p{L}\p{N}_'])[\p{Ll}_][\p{L}\p{N}_']*/gu))
+      inner.set(name, unknown)
+  return inner
+}
+
 export function inferStatements(
   s: InferenceState,
   statements: readonly Statement[],
@@ -369,6 +380,7 @@ export function inferStatements(
     if (step.kind === "statement") {
       const result = last ? type : app(monad, freshMeta(s))
       if (last) unifyAt(s, type, app(monad, freshMeta(s)), step.expr)
+      if (step.expr.kind === "raw") inner = withRecursiveNames(inner, step.expr.text)
       checkExpression(s, step.expr, result, inner)
       if (statements.length > 1) requireClass(s, "Monad", monad, step.expr)
     } else {

@@ -3,6 +3,7 @@
 /// A reading of lines, not a parser: whatever it cannot tell for sure is a name of unknown type, which fits everywhere and about which only
 /// GHC can say more.
 
+import {extensionsIn} from "../../source/directives.ts"
 import type {Scheme} from "../syntax/type.ts"
 import {parseScheme, parseSignature} from "../syntax/type_parser.ts"
 import type {Instance} from "./environment.ts"
@@ -28,6 +29,8 @@ export interface WrittenType {
     /// Names of fields whose types are left to GHC.
     readonly labels?: readonly string[]
   }[]
+  /// Whether it is another name for a type, which is not read.
+  readonly isSynonym?: boolean
 }
 
 export interface ScannedDeclarations {
@@ -50,12 +53,15 @@ export interface ScannedDeclarations {
   readonly ownQualified: ReadonlySet<string>
   /// Type families: what such a type is, only GHC computes.
   readonly families: readonly string[]
-  /// Whether a pragma of the header asks for OverloadedStrings.
-  readonly overloadedStrings: boolean
+  /// Extensions of the language that pragmas of the header turn on.
+  readonly extensions: ReadonlySet<string>
+  /// Names for patterns, each with the names of its fields.
+  readonly patterns: readonly {readonly name: string; readonly labels: readonly string[]}[]
 }
 
 const word = String.raw`[\p{Ll}_][\p{L}\p{N}_']*`
 const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
+const constructorName = String.raw`(?:[\p{Lu}][\p{L}\p{N}_']*|\(:${symbol}\))`
 
 export function scanDeclarations(header: string, definitions: readonly string[]): ScannedDeclarations {
   const found: MutableEnvironment = {
@@ -67,10 +73,10 @@ export function scanDeclarations(header: string, definitions: readonly string[])
     superclasses: new Map(),
     unread: [],
     families: [],
+    patterns: [],
   }
   for (const text of definitions) for (const line of logical(text)) readDefinition(line, found)
   const {unread, ...scanned} = found
-  const overloadedStrings = /\{-#\s*LANGUAGE\b[^#]*\bOverloadedStrings\b/i.test(header)
   const hasAllInstances = unread.length === 0 && !/\b(?:TemplateHaskell|QuasiQuotes|CPP)\b/.test(header)
   const moduleName = /^[ \t]*module\s+([\p{Lu}][\p{L}\p{N}_'.]*)/mu.exec(header)?.[1]
   const qualifier = (moduleName ?? "Main").replaceAll(".", "\\.")
@@ -86,7 +92,7 @@ export function scanDeclarations(header: string, definitions: readonly string[])
     hasAllInstances,
     moduleName,
     ownQualified,
-    overloadedStrings,
+    extensions: extensionsIn(header),
   }
 }
 
@@ -141,6 +147,7 @@ interface MutableEnvironment {
   /// Instances in a form that is not read.
   readonly unread: string[]
   readonly families: string[]
+  readonly patterns: {name: string; labels: readonly string[]}[]
 }
 
 function readDefinition(line: string, found: MutableEnvironment): void {
@@ -151,10 +158,19 @@ function readDefinition(line: string, found: MutableEnvironment): void {
   if (keyword === undefined) readValue(line, found)
   else if (/^(?:type|data|newtype)\s+(?:family|instance)\b/.test(line)) readFamily(line, found)
   else if (keyword === "data" || keyword === "newtype") found.types.push(readType(line))
-  else if (keyword === "type") found.types.push({...readType(line), constructors: []})
+  else if (keyword === "type") found.types.push({...readType(line), constructors: [], isSynonym: true})
   else if (keyword === "class") readClass(line, found)
   else if (keyword.endsWith("instance")) readInstance(line, found)
   else if (/^foreign\s+import\b/.test(line)) readForeign(line, found)
+  else if (keyword === "pattern") readPatternSynonym(line, found)
+}
+
+/// `pattern Two x y = [x, y]`, `pattern x :> y <- …`, `pattern Point {left, right} = …`, or `pattern A, B :: Int`.
+function readPatternSynonym(line: string, {patterns}: Pick<MutableEnvironment, "patterns">): void {
+  const left = line.replace(/^pattern\s+/, "").split(/\s(?:=|<-|←|::|∷)\s/)[0] ?? ""
+  const labels = [...(/\{([^}]*)\}/.exec(left)?.[1]?.matchAll(new RegExp(word, "gu")) ?? [])].map(m => m[0])
+  for (const [name] of left.matchAll(new RegExp(String.raw`[\p{Lu}][\p{L}\p{N}_']*|:${symbol}`, "gu")))
+    patterns.push({name, labels})
 }
 
 const names = String.raw`(?:${word}|\(${symbol}\))(?:\s*,\s*(?:${word}|\(${symbol}\)))*`
@@ -315,6 +331,12 @@ function readInstance(line: string, found: MutableEnvironment): void {
 
 const infixType = new RegExp(`^${symbol}$`, "u")
 
+/// A constructor of a GADT, and its fields if they have names: `Just'`, `(:+:)`, the first of `A, B :: T`.
+const gadtConstructor = new RegExp(
+  String.raw`(?:^|\s)(${constructorName})(?=(?: ?, ?${constructorName})* ::)(?: ::(?: forall [^.]*\.)?(?:(?! :: )[^{])*?\{([^}]*)\} ->)?`,
+  "gu",
+)
+
 /// A type with its constructors, as far as they are plain.
 function readType(line: string): WrittenType {
   const flat = line.replace(/\bderiving\b[\s\S]*$/, "").replace(/\s+/g, " ")
@@ -329,23 +351,16 @@ function readType(line: string): WrittenType {
     .split(" ")
   // `type f ~> g`
   const operator = words.find(w => infixType.test(w))
-  const [name = "_", ...parameters] = operator === undefined ? words : [operator, ...words]
+  const [name = "_", ...parameters] = (operator === undefined ? words : [operator, ...words]).map(bare)
   const gadt = / where (.*)$/.exec(flat)?.[1]
-  const written =
-    gadt === undefined
-      ? []
-      : [
-          ...gadt.matchAll(
-            /(?:^|\s)([\p{Lu}][\w']*) ::(?:(?: forall [^.]*\.)?(?:(?! :: )[^{])*?\{([^}]*)\} ->)?/gu,
-          ),
-        ]
+  const written = gadt === undefined ? [] : [...gadt.matchAll(gadtConstructor)]
   const cases = right === undefined ? [] : right.split(" | ").map(c => c.trim())
   return {
     name,
     parameters: parameters.filter(p => /^[\p{Ll}_]/u.test(p)),
     constructors: [
       ...written.map(([, of = "", fields = ""]) => ({
-        name: of,
+        name: bare(of),
         fields: undefined,
         labels: [...fields.matchAll(/([\p{Ll}_][\p{L}\p{N}_']*) ?(?=,|::)/gu)].map(m => m[1] ?? ""),
       })),
@@ -368,7 +383,10 @@ function readConstructor(text: string): WrittenType["constructors"][number] {
     }
     return {name: bare(record[1] ?? ""), fields: read}
   }
-  const core = plain.replace(/^forall [^.]*\. ?/, "").replace(/^.*=> ?/, "")
+  // A context may stand in front, and inside of brackets in a field.
+  const core = plain
+    .replace(/^forall [^.]*\. ?/, "")
+    .replace(/^(?:[^()]|\((?:[^()]|\([^()]*\))*\))*?=> ?/, "")
   // `Step :> Path`: its parts are left to GHC.
   const between = / (:[!#$%&*+./<=>?@\\^|~:-]+|`[\p{Lu}][\w']*`) /u.exec(` ${core} `)?.[1]
   if (between !== undefined) return {name: between.replaceAll("`", ""), fields: undefined}

@@ -125,13 +125,20 @@ function parseConstraint([name, ...rest]: readonly string[]): Constraint[] | und
   return [{name: unqualified(name), type: types.length === 1 ? only : tupleOf(types)}]
 }
 
-/// A type's text in which qualified names differ from types of the program's own: beside an own `Map`, `M.Map` is another type.
-export function withQualifiersApart(text: string, own: ReadonlySet<string> | undefined): string {
-  return own === undefined || own.size === 0
+/// A type's text in which qualified names differ from types of the program's own: beside an own `Map`, `M.Map` is another type. The name of the
+/// program's own module is no such qualifier.
+export function withQualifiersApart(
+  text: string,
+  {ownTypes, moduleName}: {readonly ownTypes?: ReadonlySet<string>; readonly moduleName?: string | undefined},
+): string {
+  return ownTypes === undefined || ownTypes.size === 0
     ? text
     : text.replace(
         /((?:\p{Lu}[\p{L}\p{N}_']*\.)+)(\p{Lu}[\p{L}\p{N}_']*)/gu,
-        (all, qualifier: string, name) => (own.has(name) ? `${name}'${qualifier.replaceAll(".", "'")}` : all),
+        (all, qualifier: string, name) =>
+          ownTypes.has(name) && qualifier !== `${moduleName}.`
+            ? `${name}'${qualifier.replaceAll(".", "'")}`
+            : all,
       )
 }
 
