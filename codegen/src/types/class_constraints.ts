@@ -2,7 +2,7 @@
 
 import {reduce} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
-import type {Constraint, Meta} from "./syntax/type.ts"
+import type {Constraint, Meta, Type} from "./syntax/type.ts"
 import {checkSize, con, metasIn, prune, spine} from "./syntax/type.ts"
 import type {Wanted} from "./syntax/type_problems.ts"
 
@@ -42,13 +42,18 @@ export function deferConstraints(
   applyDefaults(s, open, false)
 }
 
+/// The unknowns in types of which something may be decided elsewhere.
+export function undecided(types: readonly Type[], found: Set<Meta> = new Set()): Set<Meta> {
+  for (const type of types) {
+    checkSize(type)
+    metasIn(type, found)
+  }
+  return found
+}
+
 /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
 function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
-  const holes = new Set<Meta>()
-  for (const h of s.holes) {
-    checkSize(h)
-    metasIn(h, holes)
-  }
+  const holes = undecided(s.holes, undecided(s.improvable))
   const groups = new Map<Meta, Wanted[]>()
   for (const c of constraints) {
     const [first] = metasIn(c.type)

@@ -286,6 +286,8 @@ function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, 
       s.problems.push({kind: "unknown-name", node: e, name: e.name})
     s.holes.push(type)
     for (const f of e.fields) checkExpression(s, f.value, unknownType(s), scope)
+    // Which names two dots take is not known.
+    if (e.rest === true) for (const [, scheme] of scope.all()) s.holes.push(scheme.type)
     return
   }
   const {fields, result} = openConstructor(s, info.scheme, info.fields.length, e)
@@ -294,6 +296,12 @@ function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, 
     const at = info.fieldNames.indexOf(f.name)
     if (at < 0) s.problems.push({kind: "unknown-name", node: e, name: f.name})
     checkExpression(s, f.value, fields[at] ?? freshMeta(s), scope)
+  }
+  if (e.rest !== true) return
+  // Two dots take the local names that fields have.
+  for (const [at, name] of info.fieldNames.entries()) {
+    const local = name === undefined || e.fields.some(f => f.name === name) ? undefined : scope.get(name)
+    if (local !== undefined) unifyAt(s, fields[at] ?? freshMeta(s), instantiate(s, local, e), e)
   }
 }
 

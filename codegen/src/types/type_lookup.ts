@@ -9,7 +9,7 @@ import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, inferWithinBounds, unknownType} from "./inference_state.ts"
 import {Scope} from "./syntax/scope.ts"
 import type {Scheme, Type} from "./syntax/type.ts"
-import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./syntax/type.ts"
+import {asFunction, con, funs, listOf, prune, spine, substitute, tupleOf} from "./syntax/type.ts"
 import {
   apartFromForall,
   isBeyondHaskell2010,
@@ -178,8 +178,17 @@ export function instantiate(s: InferenceState, scheme: Scheme, node: Node): Type
   return expand(substitute(scheme.type, by), s.env)
 }
 
+function nameOfHead(type: Type): string {
+  const {head} = spine(type)
+  return head.kind === "con" ? head.name : ""
+}
+
 export function requireClass(s: InferenceState, name: string, type: Type, node: Node): void {
   s.wanted.push({name, type, node})
+  const {classes, ownClasses, importedClasses} = s.env
+  const isOfSeveral = /^\(,+\)$/.test(nameOfHead(type))
+  const isKnown = classes.has(name) || ownClasses?.has(name) === true
+  if (!isKnown && (isOfSeveral || importedClasses?.has(name) !== true)) s.improvable.push(type)
 }
 
 /// The class of a number in the program. With NumDecimals, `1e3` is a whole number.

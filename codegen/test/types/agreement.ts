@@ -487,6 +487,30 @@ first :: [] ⇒ Maybe
 first [] = Nothing
 first (x : _) = Just x
 main = print (first "a")`,
+  "two dots that take the names of fields": `{-# LANGUAGE RecordWildCards #-}
+data Place = Place {across :: Int, up :: Double}
+place :: [String] -> Place
+place all = Place {..}
+  where
+    across = read (head all)
+    up = read (all !! 1)
+main = print (across (place ["1", "2"]))`,
+  "a class of several types that decides one of them": `{-# LANGUAGE FunctionalDependencies, FlexibleInstances #-}
+class Lift a b | b -> a where
+  lift :: a -> b
+instance Lift (IO Int) (IO Double) where
+  lift = fmap fromIntegral
+raised :: Lift a b => a -> b
+raised = lift
+half :: IO Double
+half = do
+  n <- raised readLn
+  return (n / 2)
+main = half >>= print`,
+  "a context in brackets": `{-# LANGUAGE RankNTypes, FlexibleContexts #-}
+with :: Int -> (Show Int => r) -> r
+with n x = if n > 0 then x else x
+main = putStrLn (with 1 (show (2 :: Int)))`,
 }
 
 export const refused: {readonly [name: string]: readonly [TypeProblem["kind"], string]} = {
@@ -783,5 +807,22 @@ main = print (f 'x')`,
 some :: NonEmpty Int
 some = 1 :|: [2, 3]
 main = print some`,
+  ],
+  "two dots that take a name of another type": [
+    "mismatch",
+    `{-# LANGUAGE RecordWildCards #-}
+data Place = Place {across :: Int, up :: Double}
+place :: Bool -> Place
+place across = Place {up = 1, ..}
+main = print (across (place True))`,
+  ],
+  "a type that nothing decides beside a class of several types": [
+    "ambiguous",
+    `{-# LANGUAGE FunctionalDependencies #-}
+class Lift a b | b -> a where
+  lift :: a -> b
+size :: String -> Int
+size text = length (show (read text))
+main = print (size "1")`,
   ],
 }

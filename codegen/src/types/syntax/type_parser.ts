@@ -235,8 +235,19 @@ export function apartFromForall(text: string): {
   return {variables: front[1]?.trim().split(/\s+/) ?? [], type: text.slice(front[0].length)}
 }
 
-/// Whether a type has variables of its own inside, or a name that stands for such a type.
+/// Whether a context stands in brackets, as in `a -> (Show b => b) -> b`.
+function hasInnerContext(tokens: readonly string[]): boolean {
+  let depth = 0
+  return tokens.some(t => {
+    if (t === "(" || t === "[") depth++
+    if (t === ")" || t === "]") depth--
+    return depth > 0 && (t === "=>" || t === "⇒")
+  })
+}
+
+/// Whether a type has variables or constraints of its own inside, or a name that stands for such a type.
 export function isHigherRank(text: string, ranked: ReadonlySet<string> = new Set()): boolean {
   if (/(?<![\p{L}\p{N}_'])forall(?![\p{L}\p{N}_'])|∀/u.test(text)) return true
+  if (/=>|⇒/.test(text) && hasInnerContext(tokensOf(text))) return true
   return ranked.size > 0 && (text.match(/[\p{L}_][\p{L}\p{N}_']*/gu) ?? []).some(name => ranked.has(name))
 }
