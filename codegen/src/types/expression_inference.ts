@@ -77,10 +77,7 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       return
     }
     case "infix":
-      if (isGroupedByGuess(s, e, scope)) {
-        s.holes.push(type)
-        for (const operand of [e.left, e.right]) checkExpression(s, operand, unknownType(s, e.op), scope)
-      } else if (e.op === "$") {
+      if (e.op === "$") {
         const fn = freshMeta(s)
         checkExpression(s, e.left, fn, scope)
         inferApplication(s, fn, [e.right], type, e, scope)
@@ -209,17 +206,6 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
     default:
       unreachable(e)
   }
-}
-
-/// Whether a chain has an operator without a known type. Its fixity is unknown, too, so that nothing may be said that depends on what belongs
-/// together.
-function isGroupedByGuess(s: InferenceState, e: Expr & {kind: "infix"}, scope: Scope): boolean {
-  const inside = [e.left, e.right].filter(operand => operand.kind === "infix")
-  const isKnown = (op: string) => {
-    const scheme = scope.get(op) ?? s.env.values.get(op) ?? s.env.constructors.get(op)?.scheme
-    return [":", "$"].includes(op) || (scheme !== undefined && scheme.unknown !== true)
-  }
-  return inside.length > 0 && ![e, ...inside].every(({op}) => isKnown(op))
 }
 
 /// The type to infer an expression with: a new one for the block that is kept apart from its place.

@@ -4,20 +4,11 @@
 /// GHC can say more.
 
 import {extensionsIn} from "../../source/directives.ts"
+import type {Import} from "../../source/imports.ts"
+import {importsIn, logicalLines} from "../../source/imports.ts"
 import type {Scheme} from "../syntax/type.ts"
 import {parseScheme, parseSignature} from "../syntax/type_parser.ts"
 import type {Instance} from "./environment.ts"
-
-/// `import qualified Data.Map as Map (Map, insert)`.
-export interface Import {
-  readonly module: string
-  readonly qualified: boolean
-  /// What stands before the dot.
-  readonly as: string
-  /// Names that are taken, or that are left out; undefined for all.
-  readonly only: ReadonlySet<string> | undefined
-  readonly hiding: ReadonlySet<string>
-}
 
 export interface WrittenType {
   readonly name: string
@@ -75,7 +66,7 @@ export function scanDeclarations(header: string, definitions: readonly string[])
     families: [],
     patterns: [],
   }
-  for (const text of definitions) for (const line of logical(text)) readDefinition(line, found)
+  for (const text of definitions) for (const line of logicalLines(text)) readDefinition(line, found)
   const {unread, ...scanned} = found
   const hasAllInstances = unread.length === 0 && !/\b(?:TemplateHaskell|QuasiQuotes|CPP)\b/.test(header)
   const moduleName = /^[ \t]*module\s+([\p{Lu}][\p{L}\p{N}_'.]*)/mu.exec(header)?.[1]
@@ -84,8 +75,7 @@ export function scanDeclarations(header: string, definitions: readonly string[])
   const ownQualified = new Set(
     definitions.flatMap(text => [...text.matchAll(qualified)].map(m => m[1] ?? "")),
   )
-  // The lines of the whole file may be indented below `module … where`.
-  const imports = logical(header.replace(/^[ \t]+(?=import\b)/gm, "")).flatMap(readImport)
+  const imports = importsIn(header)
   return {
     ...scanned,
     imports,
@@ -94,47 +84,6 @@ export function scanDeclarations(header: string, definitions: readonly string[])
     ownQualified,
     extensions: extensionsIn(header),
   }
-}
-
-/// Lines that start at the margin, each with those below it that are indented. Without comments.
-function logical(text: string): string[] {
-  const lines: string[] = []
-  for (const line of text.replace(/\{-[\s\S]*?-\}/g, " ").split("\n")) {
-    const bare = line.replace(/(^|\s)--(?![!#$%&*+./<=>?@\\^|~:]).*$/, "").trimEnd()
-    if (bare === "") continue
-    if (/^\s/.test(bare) && lines.length > 0) lines[lines.length - 1] += `\n${bare}`
-    else lines.push(bare)
-  }
-  return lines
-}
-
-function readImport(line: string): Import[] {
-  const flat = line.replace(/\s+/g, " ")
-  const found =
-    /^import (?:safe )?(qualified )?(?:"[^"]*" )?([\p{Lu}][\w.']*)( qualified)?(?: as ([\p{Lu}][\w.']*))? ?(?:(hiding ?)?\((.*)\))? ?;?$/u.exec(
-      flat,
-    )
-  // An import that is written in another way may bring any name.
-  if (found === null)
-    return /^import\b/.test(flat)
-      ? [{module: "?", qualified: false, as: "?", only: undefined, hiding: new Set()}]
-      : []
-  const [, before, module = "", after, as, hiding, list] = found
-  const names = list === undefined ? undefined : listed(list)
-  return [
-    {
-      module,
-      qualified: before !== undefined || after !== undefined,
-      as: as ?? module,
-      only: hiding === undefined ? names : undefined,
-      hiding: (hiding === undefined ? undefined : names) ?? new Set(),
-    },
-  ]
-}
-
-/// `Map, (!), Maybe (..), Either (Left, Right)`.
-function listed(list: string): Set<string> {
-  return new Set(list.match(new RegExp(String.raw`[\p{L}_][\p{L}\p{N}_'.]*|\.\.|${symbol}`, "gu")) ?? [])
 }
 
 interface MutableEnvironment {
@@ -180,7 +129,7 @@ const signature = new RegExp(String.raw`^(${names})\s*(?:::|∷)\s*([\s\S]*)$`, 
 export function signatureIn(
   text: string,
 ): {readonly names: readonly string[]; readonly type: string} | undefined {
-  const [line, ...others] = logical(text)
+  const [line, ...others] = logicalLines(text)
   const found = line === undefined || others.length > 0 ? null : signature.exec(line)
   if (found === null) return undefined
   const [, left = "", type = ""] = found

@@ -1,9 +1,10 @@
 /// Type environment extended by a program's imports and by declarations that stay Haskell text.
 
+import type {Import} from "../../source/imports.ts"
 import type {Scheme, Type} from "../syntax/type.ts"
 import {app, con, funs, variablesIn} from "../syntax/type.ts"
 import {parseType} from "../syntax/type_parser.ts"
-import type {Import, ScannedDeclarations, WrittenType} from "./declaration_scanner.ts"
+import type {ScannedDeclarations, WrittenType} from "./declaration_scanner.ts"
 import type {ConstructorInfo, Environment, Instance, Library, Lookup, TypeEntry} from "./environment.ts"
 import {OverlayMap, parseEnvironment, unknown} from "./environment.ts"
 import {typeNamesIn} from "./kinds.ts"
