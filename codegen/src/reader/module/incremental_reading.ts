@@ -108,9 +108,14 @@ export function hasSameDialect(
   window: string,
   parts: readonly {readonly name: string}[],
 ): boolean {
-  const declares = (text: string) => text.includes("infix") || /LANGUAGE|^[ \t]*import\b/im.test(text)
+  const declares = (text: string) => text.includes("infix") || /LANGUAGE/i.test(text)
   if (declares(window) || module.pieces.slice(first, behind).some(piece => declares(piece.slice)))
     return false
+  const old = module.pieces
+    .slice(first, behind)
+    .map(piece => piece.slice)
+    .join("")
+  if (importLines(old) !== importLines(window)) return false
   if (
     operators !== undefined &&
     hasOtherOperators(operators, window, [...parts, ...sections.slice(first, behind)])
@@ -125,6 +130,10 @@ export function hasSameDialect(
     ].join(" ")
   const now = [...sections.slice(0, first), ...parts, ...sections.slice(behind)]
   return own(sections) === own(now)
+}
+
+function importLines(text: string): string {
+  return (text.match(/^[ \t]*import\b.*(?:\n[ \t]+.*)*/gm) ?? []).join("\n")
 }
 
 /// Whether a window has an operator that the file had not, or defines one, so that fixities of the file must be found anew.
