@@ -20,7 +20,7 @@ export function browsed(text: string): string[] {
     else if (/ :: /.test(raw)) lines.push(...valueLine(raw))
   }
   return [...new Set(lines.map(l => l.trim()))].filter(
-    l => l !== "" && !/\bforall\b|#|\*/.test(l.replace(/^\([^)]*\)/, "")),
+    l => l !== "" && !/\bforall\b|#|\*/.test(l.replace(/^\([^)]*\)|\(?:\*:\)?/g, "")),
   )
 }
 

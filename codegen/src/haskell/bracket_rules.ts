@@ -69,6 +69,8 @@ export function isOperandOf(
   const theirs = fixityOfExpr(inner, context)
   if (theirs === "atom") return true
   if (theirs === "open") return false
+  // An application binds tighter than any operator, also one of unknown fixity.
+  if (theirs.precedence > 9) return true
   if (theirs.precedence !== mine.precedence) return theirs.precedence > mine.precedence
   return mine.associates === side && theirs.associates === side
 }

@@ -64,9 +64,9 @@ export function redefinedOperators(names: Iterable<string>, declared: Fixities):
   return found
 }
 
-/// The fixity of an operator that has different ones in different parts of a definition. It compares with no other precedence, so the printer
+/// The fixity of an operator that has different ones in different parts of a definition, or that is not known. It compares with no other precedence, so the printer
 /// puts brackets around every operand that is not an atom.
-const unresolved: Fixity = {precedence: Number.NaN, associates: "none"}
+export const unresolved: Fixity = {precedence: Number.NaN, associates: "none"}
 
 /// The fixities inside a definition that binds `names`: an operator among them is `infixl 9` where its binding is in scope. `local`: those that
 /// the definition declares; one of an operator that is known outside, too, is left open.

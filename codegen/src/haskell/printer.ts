@@ -37,8 +37,9 @@ const width = 80
 /// The whole program, with a span per node.
 export function printProgram(
   program: Program,
+  imported: ReadonlyMap<string, Fixity> = new Map(),
 ): PrintedProgram & {readonly nodes: ReadonlyMap<object, {start: number; end: number}>} {
-  const context = contextOf(program)
+  const context = contextOf(program, imported)
   const body = join(
     program.declarations.map(d => printDeclaration(d, contextInside(d, context))),
     [hardline, hardline],
@@ -73,12 +74,12 @@ export function printPatternAlone(p: Pattern): string {
   return layout(printPattern(p, "top", makeContext(new Map())), width).text
 }
 
-function contextOf(program: Program): Context {
+function contextOf(program: Program, imported: ReadonlyMap<string, Fixity>): Context {
   const own = new Map<string, Fixity>()
   for (const d of program.declarations)
     if (d.kind === "raw-declaration") for (const [op, fixity] of fixitiesIn(d.text)) own.set(op, fixity)
   return makeContext(
-    new Map([...redefinedOperators(program.declarations.flatMap(namesDefinedBy), own), ...own]),
+    new Map([...imported, ...redefinedOperators(program.declarations.flatMap(namesDefinedBy), own), ...own]),
   )
 }
 

@@ -119,7 +119,7 @@ function inferComponent(
   }
   const {problems, wanted, typesApart} = {
     problems: s.problems.length,
-    wanted: s.wanted,
+    wanted: s.wanted.length,
     typesApart: s.typesApart,
   }
   const isUnread = members.some(d => d.kind === "function" && d.signature !== undefined && !signatures.has(d))
@@ -138,7 +138,7 @@ function inferComponent(
   )
     return
   s.problems.length = problems
-  s.wanted = wanted
+  s.wanted.length = wanted
   s.typesApart = typesApart
   leaveToGhc(s, members, scope)
 }
@@ -297,7 +297,7 @@ export function inferRefined(s: InferenceState, infer: () => void): void {
   if (s.opaque === opaque) return
   if (s.typesApart !== undefined && s.typesApart !== typesApart) s.typesApart.isBeyondInference = true
   const found = s.problems.splice(before)
-  s.problems.push(...found.filter(p => p.kind !== "mismatch" || !p.isOfVariable))
+  s.problems.push(...found.filter(p => !("isOfVariable" in p && p.isOfVariable)))
 }
 
 /// Patterns that take the parameters of a function; answers the type of what it makes.

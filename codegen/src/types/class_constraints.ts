@@ -2,7 +2,7 @@
 
 import {reduce} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
-import type {Constraint, Meta} from "./syntax/type.ts"
+import type {Constraint, Meta, Type} from "./syntax/type.ts"
 import {checkSize, con, metasIn, prune, spine} from "./syntax/type.ts"
 import type {Wanted} from "./syntax/type_problems.ts"
 
@@ -42,13 +42,18 @@ export function deferConstraints(
   applyDefaults(s, open, false)
 }
 
+/// The unknowns in types of which something may be decided elsewhere.
+export function undecided(types: readonly Type[], found: Set<Meta> = new Set()): Set<Meta> {
+  for (const type of types) {
+    checkSize(type)
+    metasIn(type, found)
+  }
+  return found
+}
+
 /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
 function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
-  const holes = new Set<Meta>()
-  for (const h of s.holes) {
-    checkSize(h)
-    metasIn(h, holes)
-  }
+  const holes = undecided(s.holes, undecided(s.improvable))
   const groups = new Map<Meta, Wanted[]>()
   for (const c of constraints) {
     const [first] = metasIn(c.type)
@@ -97,6 +102,11 @@ export function solveRemaining(s: InferenceState): void {
   )
 }
 
+/// Whether a constraint may become part of an inferred type, as `Num [a]` does with FlexibleContexts.
+function mayStandInType({type}: Constraint, {env}: InferenceState): boolean {
+  return env.extensions?.has("FlexibleContexts") === true && metasIn(type).size > 0
+}
+
 export function reduceConstraints(
   s: InferenceState,
   wanted: readonly Wanted[],
@@ -110,7 +120,8 @@ export function reduceConstraints(
     stuck = []
     for (const w of todo) {
       const r = reduce(w, s.env, givens)
-      if (r.kind === "no") s.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
+      if (r.kind === "no" && mayStandInType(r.constraint, s)) s.env.assumed.push(r.constraint)
+      else if (r.kind === "no") s.problems.push({kind: "no-instance", node: w.node, constraint: r.constraint})
       else for (const c of r.constraints) stuck.push({...c, node: w.node})
     }
     todo = stuck

@@ -1,6 +1,5 @@
 /// Type inference for expressions and for the statements of a `do`.
 
-import {isFractionalLiteral} from "../haskell/lexemes.ts"
 import type {Alternative, Expr, Statement} from "../model/syntax_tree.ts"
 import {unreachable} from "../model/syntax_tree.ts"
 import {
@@ -36,6 +35,7 @@ import {
   variablesIn,
 } from "./syntax/type.ts"
 import {
+  classOfLiteral,
   instantiate,
   isPossiblyImported,
   openConstructor,
@@ -61,10 +61,10 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       unifyAt(s, type, typeOfConstructor(s, e.name, e), e)
       return
     case "number":
-      requireClass(s, isFractionalLiteral(e.text.replace("-", "")) ? "Fractional" : "Num", type, e)
+      requireClass(s, classOfLiteral(s, e.text), type, e)
       return
     case "string":
-      if (s.env.overloadedStrings === true) s.holes.push(type)
+      if (s.env.extensions?.has("OverloadedStrings") === true) s.holes.push(type)
       else unifyAt(s, type, string, e)
       return
     case "character":
@@ -77,10 +77,7 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       return
     }
     case "infix":
-      if (isGroupedByGuess(s, e, scope)) {
-        s.holes.push(type)
-        for (const operand of [e.left, e.right]) checkExpression(s, operand, unknownType(s, e.op), scope)
-      } else if (e.op === "$") {
+      if (e.op === "$") {
         const fn = freshMeta(s)
         checkExpression(s, e.left, fn, scope)
         inferApplication(s, fn, [e.right], type, e, scope)
@@ -211,17 +208,6 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
   }
 }
 
-/// Whether a chain has an operator without a known type. Its fixity is unknown, too, so that nothing may be said that depends on what belongs
-/// together.
-function isGroupedByGuess(s: InferenceState, e: Expr & {kind: "infix"}, scope: Scope): boolean {
-  const inside = [e.left, e.right].filter(operand => operand.kind === "infix")
-  const isKnown = (op: string) => {
-    const scheme = scope.get(op) ?? s.env.values.get(op) ?? s.env.constructors.get(op)?.scheme
-    return [":", "$"].includes(op) || (scheme !== undefined && scheme.unknown !== true)
-  }
-  return inside.length > 0 && ![e, ...inside].every(({op}) => isKnown(op))
-}
-
 /// The type to infer an expression with: a new one for the block that is kept apart from its place.
 function apartFrom(s: InferenceState, e: Expr, wanted: Type): Type {
   if (s.apart === undefined || s.typesApart !== undefined) return wanted
@@ -265,7 +251,11 @@ function inferApplication(
         head.kind === "meta" && head.isForeign === true ? {...freshMeta(s), isForeign: true} : freshMeta(s)
       f = {from: part(), to: part()}
       const clash = unify(result, fun(f.from, f.to))
-      if (clash !== undefined) s.problems.push({kind: "too-many-arguments", node, type: fn})
+      if (clash?.isUnread === true) s.holes.push(f.from, f.to)
+      else if (clash !== undefined) {
+        const isOfVariable = prune(clash.left).kind === "var"
+        s.problems.push({kind: "too-many-arguments", node, type: fn, isOfVariable})
+      }
     }
     wanted.push(f.from)
     result = f.to
@@ -282,6 +272,8 @@ function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, 
       s.problems.push({kind: "unknown-name", node: e, name: e.name})
     s.holes.push(type)
     for (const f of e.fields) checkExpression(s, f.value, unknownType(s), scope)
+    // Which names two dots take is not known.
+    if (e.rest === true) for (const [, scheme] of scope.all()) s.holes.push(scheme.type)
     return
   }
   const {fields, result} = openConstructor(s, info.scheme, info.fields.length, e)
@@ -290,6 +282,12 @@ function inferRecord(s: InferenceState, e: Expr & {kind: "record"}, type: Type, 
     const at = info.fieldNames.indexOf(f.name)
     if (at < 0) s.problems.push({kind: "unknown-name", node: e, name: f.name})
     checkExpression(s, f.value, fields[at] ?? freshMeta(s), scope)
+  }
+  if (e.rest !== true) return
+  // Two dots take the local names that fields have.
+  for (const [at, name] of info.fieldNames.entries()) {
+    const local = name === undefined || e.fields.some(f => f.name === name) ? undefined : scope.get(name)
+    if (local !== undefined) unifyAt(s, fields[at] ?? freshMeta(s), instantiate(s, local, e), e)
   }
 }
 
@@ -321,13 +319,10 @@ function inferUpdate(s: InferenceState, e: Expr & {kind: "update"}, type: Type, 
   unifyAt(s, type, app(con(name), ...after.values()), e)
   checkExpression(s, e.record, app(con(name), ...before.values()), scope)
   for (const f of e.fields) {
-    const field = changed.get(f.name)
-    checkExpression(
-      s,
-      f.value,
-      field === undefined ? freshMeta(s) : expand(substitute(field, after), s.env),
-      scope,
-    )
+    const field = changed.get(f.name) ?? freshMeta(s)
+    // Variables that the type has not stand for what only GHC knows of its fields.
+    const by = new Map([...variablesIn(field)].map(v => [v, after.get(v) ?? unknownType(s, f.name)] as const))
+    checkExpression(s, f.value, expand(substitute(field, by), s.env), scope)
   }
 }
 
@@ -356,6 +351,16 @@ function inferComprehension(
   checkExpression(s, e.body, item, inferQualifiers(s, e.statements, scope, listOf))
 }
 
+/// The scope behind a step of text. `rec` (RecursiveDo) binds the names that stand left of its arrows and equal signs.
+function withRecursiveNames(scope: Scope, text: string): Scope {
+  if (!/^rec(?![\p{L}\p{N}_'])/u.test(text)) return scope
+  const inner = scope.inner()
+  for (const [left] of text.slice(3).matchAll(/[^\n;]*?(?=<-|←|=)/g))
+    for (const [name] of left.matchAll(/(?<![\p{L}\p{N}_'])[\p{Ll}_][\p{L}\p{N}_']*/gu))
+      inner.set(name, unknown)
+  return inner
+}
+
 export function inferStatements(
   s: InferenceState,
   statements: readonly Statement[],
@@ -369,6 +374,7 @@ export function inferStatements(
     if (step.kind === "statement") {
       const result = last ? type : app(monad, freshMeta(s))
       if (last) unifyAt(s, type, app(monad, freshMeta(s)), step.expr)
+      if (step.expr.kind === "raw") inner = withRecursiveNames(inner, step.expr.text)
       checkExpression(s, step.expr, result, inner)
       if (statements.length > 1) requireClass(s, "Monad", monad, step.expr)
     } else {

@@ -2,7 +2,7 @@
 
 import {bindersIn} from "../model/name_resolution.ts"
 import type {Declaration} from "../model/syntax_tree.ts"
-import {deferConstraints} from "./class_constraints.ts"
+import {deferConstraints, undecided} from "./class_constraints.ts"
 import {simplify} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import type {Scope} from "./syntax/scope.ts"
@@ -35,11 +35,12 @@ export function generalise(
   // A hole's type is still open: what goes into it may decide it, so it is not general.
   const quantified: Wanted[] = []
   const rest: Wanted[] = []
+  const improvable = undecided(s.improvable)
   for (const c of stuck) {
     const metas = [...metasIn(c.type)]
     if (!metas.some(m => own.has(m))) rest.push(c)
     // Partly about something that no use can ever decide.
-    else if (c.name !== "Ends" && metas.some(m => m.level > s.level && !own.has(m)))
+    else if (c.name !== "Ends" && metas.some(m => m.level > s.level && !own.has(m) && !improvable.has(m)))
       s.problems.push({kind: "ambiguous", node: c.node, constraint: c})
     else quantified.push(c)
   }

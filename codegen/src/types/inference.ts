@@ -62,6 +62,7 @@ export function createInference(
     holes: [],
     foreignNames: new Map(),
     sockets: new Set(),
+    improvable: [],
     wanted: [],
     pending: [],
     level: 0,

@@ -24,6 +24,8 @@ export interface InferenceState {
   readonly foreignNames: Map<Type, string>
   /// Those of `holes` that are empty sockets.
   readonly sockets: Set<Type>
+  /// Types in constraints of classes that only GHC knows: which they are may follow from an instance.
+  readonly improvable: Type[]
   wanted: Wanted[]
   /// Constraints of loose blocks that no binding has taken; they show what kind of value is meant.
   readonly pending: Wanted[]

@@ -4,10 +4,9 @@ import type {Declaration, FunctionDeclaration, InstanceDeclaration} from "../mod
 import {checkAgainstSignature, inferClauses, inferRightHandSide, rigidVariables} from "./binding_inference.ts"
 import {reduceConstraints} from "./class_constraints.ts"
 import {instanceHead} from "./environment/declaration_scanner.ts"
-import {expand} from "./environment/environment.ts"
+import {builtInHeads, expand} from "./environment/environment.ts"
 import {isKnownClass} from "./environment/kinds.ts"
 import {library} from "./environment/standard_library.ts"
-import {builtInHeads} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, unknownType} from "./inference_state.ts"
 import {inferPattern} from "./pattern_inference.ts"
@@ -38,7 +37,7 @@ export function inferInstance(s: InferenceState, d: InstanceDeclaration, outer: 
     if (name !== "" && seen.has(name)) s.problems.push({kind: "twice", node: method, name})
     seen.add(name)
     if (method.kind === "function" && type !== undefined && plain) checkMethod(s, method, type, head, outer)
-    else inferUnknownMethod(s, method, outer)
+    else inferUnknownMethod(s, method, outer, d.head)
   }
 }
 
@@ -84,10 +83,14 @@ export function checkDuplicateInstances(s: InferenceState, declarations: readonl
     if (type.kind !== "con") continue
     // Instances for `[Int]` and `[Char]` are two; one for each variable is about the whole type.
     const general = args.every(a => a.kind === "var")
-    const whole = `${head.name} ${general ? type.name : showType(app(type, ...args))}`
-    if (seen.has(whole) || (general && hasPreludeInstance(s, head, type.name)))
+    // `T.Text` and `L.Text` may be two types, and what is not read may be another name for any.
+    const written = d.kind === "instance" ? d.head : ""
+    const named = /\p{Lu}[\p{L}\p{N}_']*\.\p{Lu}/u.test(written)
+      ? written.replace(/^.*=>|\s+/gs, " ")
+      : `${head.name} ${general ? type.name : showType(app(type, ...args))}`
+    if (seen.has(named) || (general && hasPreludeInstance(s, head, type.name)))
       s.problems.push({kind: "second-instance", node: d, name: type.name, of: head.name})
-    seen.add(whole)
+    seen.add(named)
   }
 }
 
@@ -100,8 +103,11 @@ function hasPreludeInstance(s: InferenceState, {name: of, isQualified}: Instance
   return known !== undefined && known !== "none" && spine(known.type).args.every(a => a.kind === "var")
 }
 
-function inferUnknownMethod(s: InferenceState, method: Declaration, outer: Scope): void {
-  const before = s.wanted
+/// The variables of an instance's or a class's head stand for something that its methods do not decide.
+function inferUnknownMethod(s: InferenceState, method: Declaration, outer: Scope, head: string): void {
+  const {scoped, wanted: before} = s
+  const variables = head.match(/(?<![\p{L}\p{N}_'.])[\p{Ll}_][\p{L}\p{N}_']*/gu) ?? []
+  s.scoped = new Map([...scoped, ...variables.map(v => [v, unknownType(s)] as const)])
   s.level++
   const scope = outer.inner()
   const type = unknownType(s)
@@ -112,6 +118,7 @@ function inferUnknownMethod(s: InferenceState, method: Declaration, outer: Scope
   }
   s.level--
   s.wanted = before
+  s.scoped = scoped
 }
 
 /// `show :: Show a => a -> String` is `Mode -> String` in `instance Show Mode`.

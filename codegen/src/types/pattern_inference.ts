@@ -1,15 +1,22 @@
 /// Type inference for patterns, and the names that they bind.
 
-import {isFractionalLiteral} from "../haskell/lexemes.ts"
 import {bindersIn} from "../model/name_resolution.ts"
 import type {Pattern} from "../model/syntax_tree.ts"
 import {unreachable} from "../model/syntax_tree.ts"
+import {unknown} from "./environment/environment.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, mono, recordWatched, unknownType} from "./inference_state.ts"
 import type {Scope} from "./syntax/scope.ts"
 import type {Type} from "./syntax/type.ts"
-import {con, fun, listOf, string, tupleOf} from "./syntax/type.ts"
-import {isPossiblyImported, openConstructor, readSignature, requireClass, unifyAt} from "./type_lookup.ts"
+import {con, fun, listOf, prune, string, tupleOf} from "./syntax/type.ts"
+import {
+  classOfLiteral,
+  isPossiblyImported,
+  openConstructor,
+  readSignature,
+  requireClass,
+  unifyAt,
+} from "./type_lookup.ts"
 
 /// A name may stand only once among the patterns that are matched together. (Haskell 2010 report §3.17.1)
 export function checkDistinct(s: InferenceState, patterns: readonly Pattern[]): void {
@@ -33,11 +40,11 @@ export function inferPattern(s: InferenceState, p: Pattern, type: Type, scope: S
       inferConstructorPattern(s, p, type, scope)
       return
     case "number-pattern":
-      requireClass(s, isFractionalLiteral(p.text.replace("-", "")) ? "Fractional" : "Num", type, p)
+      requireClass(s, classOfLiteral(s, p.text), type, p)
       requireClass(s, "Eq", type, p)
       return
     case "string-pattern":
-      if (s.env.overloadedStrings === true) s.holes.push(type)
+      if (s.env.extensions?.has("OverloadedStrings") === true) s.holes.push(type)
       else unifyAt(s, type, string, p)
       return
     case "character-pattern":
@@ -91,7 +98,7 @@ export function inferPattern(s: InferenceState, p: Pattern, type: Type, scope: S
       for (const f of p.fields) {
         const at = info.fieldNames.indexOf(f.name)
         if (at < 0) s.problems.push({kind: "unknown-name", node: p, name: f.name})
-        inferPattern(s, f.pattern, fields[at] ?? freshMeta(s), scope)
+        inferField(s, f.pattern, fields[at] ?? freshMeta(s), scope)
       }
       for (const name of restNames)
         if (!isListed(name)) scope.set(name, mono(fields[info.fieldNames.indexOf(name)] ?? unknownType(s)))
@@ -157,5 +164,13 @@ function inferConstructorPattern(
       found: p.args.length,
     })
   unifyAt(s, type, result, p)
-  for (const [i, a] of p.args.entries()) inferPattern(s, a, fields[i] ?? freshMeta(s), scope)
+  for (const [i, a] of p.args.entries()) inferField(s, a, fields[i] ?? freshMeta(s), scope)
+}
+
+/// A field whose type only GHC knows may have several types, one at each use (`forall`).
+function inferField(s: InferenceState, p: Pattern, type: Type, scope: Scope): void {
+  const field = prune(type)
+  inferPattern(s, p, type, scope)
+  if (p.kind === "name-pattern" && field.kind === "meta" && field.isForeign === true)
+    scope.set(p.name, unknown)
 }

@@ -1,6 +1,6 @@
 /// Types of names, constructors, operators and written signatures, as they are used at one place.
 
-import {unqualified} from "../haskell/lexemes.ts"
+import {isFractionalLiteral, unqualified} from "../haskell/lexemes.ts"
 import type {Expr, Node} from "../model/syntax_tree.ts"
 import {expand} from "./environment/environment.ts"
 import {isKnownClass, misappliedType, typeNamesIn} from "./environment/kinds.ts"
@@ -9,7 +9,7 @@ import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, inferWithinBounds, unknownType} from "./inference_state.ts"
 import {Scope} from "./syntax/scope.ts"
 import type {Scheme, Type} from "./syntax/type.ts"
-import {asFunction, con, funs, listOf, prune, substitute, tupleOf} from "./syntax/type.ts"
+import {asFunction, con, funs, listOf, prune, spine, substitute, tupleOf} from "./syntax/type.ts"
 import {
   apartFromForall,
   isBeyondHaskell2010,
@@ -31,7 +31,7 @@ export function readDefinitionSignature(s: InferenceState, text: string, node: N
   const {variables, type} = apartFromForall(text)
   if (variables.length === 0) return readSignature(s, text, node)
   // Where a `forall` stands, there is often more that inference does not read.
-  if (!isBeyondInference(s, type) && parseScheme(withQualifiersApart(type, s.env.ownTypes)) === undefined)
+  if (!isBeyondInference(s, type) && parseScheme(withQualifiersApart(type, s.env)) === undefined)
     return undefined
   const {scoped} = s
   s.scoped = new Map([...scoped].filter(([name]) => !variables.includes(name)))
@@ -57,11 +57,13 @@ export function readSignature(s: InferenceState, text: string, node: Node): Sche
 }
 
 function readScheme(s: InferenceState, text: string, node: Node): Scheme | undefined {
-  const scheme = parseScheme(withQualifiersApart(text, s.env.ownTypes))
+  const scheme = parseScheme(withQualifiersApart(text, s.env))
   // `Int => Int`: a type is no constraint; what is imported may be a name for one.
   const isType = (name: string) => s.env.types.get(name)?.foreign === undefined && s.env.types.has(name)
   if (scheme === undefined || scheme.bare?.some(isType) === true) {
-    const isOwnOperator = [...text.matchAll(/[-=>]+/g)].some(([op]) => s.env.types.has(op))
+    const isOwnOperator = [...text.matchAll(/[-=>]+/g)].some(([op]) =>
+      [op, op.replace("->", "→").replace("=>", "⇒")].some(name => s.env.types.has(name)),
+    )
     if (text.trim() !== "" && !isBeyondHaskell2010(text) && !isOwnOperator)
       s.problems.push({kind: "bad-signature", node, text})
     return undefined
@@ -84,17 +86,21 @@ function checkTypeNames(s: InferenceState, scheme: Scheme, text: string, node: N
   for (const name of new Set(strangers)) s.problems.push({kind: "unknown-type", node, name})
   if (s.env.open === true || strangers.length > 0) return
   const qualified = new Set([...text.matchAll(qualifiedNames)].map(([, name = ""]) => name))
+  // A constructor may stand for a type.
+  const isPromoted = (name: string) =>
+    s.env.extensions?.has("DataKinds") === true && s.env.constructors.has(name)
   const problems = new Map<string, TypeProblem>()
   for (const name of typeNamesIn(scheme.type))
     if (
       !s.env.types.has(name) &&
       !isKnownClass(s.env, name) &&
+      !isPromoted(name) &&
       !qualified.has(name.replace(/'.*$/, "")) &&
       !/^(?:->|\[\]|\(,*\))$/.test(name)
     )
       problems.set(name, {kind: "unknown-type", node, name})
   for (const [name] of text.matchAll(unqualifiedNames))
-    if (s.env.hidden.has(name)) problems.set(name, {kind: "unknown-type", node, name})
+    if (s.env.hidden.has(name) && !isPromoted(name)) problems.set(name, {kind: "unknown-type", node, name})
   for (const {name} of scheme.constraints)
     if (!qualified.has(name) && !isKnownClass(s.env, name))
       problems.set(name, {kind: "unknown-class", node, name})
@@ -172,13 +178,33 @@ export function instantiate(s: InferenceState, scheme: Scheme, node: Node): Type
   return expand(substitute(scheme.type, by), s.env)
 }
 
+function nameOfHead(type: Type): string {
+  const {head} = spine(type)
+  return head.kind === "con" ? head.name : ""
+}
+
 export function requireClass(s: InferenceState, name: string, type: Type, node: Node): void {
   s.wanted.push({name, type, node})
+  const {classes, ownClasses, importedClasses} = s.env
+  const isOfSeveral = /^\(,+\)$/.test(nameOfHead(type))
+  const isKnown = classes.has(name) || ownClasses?.has(name) === true
+  if (!isKnown && (isOfSeveral || importedClasses?.has(name) !== true)) s.improvable.push(type)
+}
+
+/// The class of a number in the program. With NumDecimals, `1e3` is a whole number.
+export function classOfLiteral(s: InferenceState, text: string): "Num" | "Fractional" {
+  const isWhole =
+    s.env.extensions?.has("NumDecimals") === true && Number.isInteger(Number(text.replaceAll("_", "")))
+  return isFractionalLiteral(text.replace("-", "")) && !isWhole ? "Fractional" : "Num"
 }
 
 export function unifyAt(s: InferenceState, wanted: Type, found: Type, node: Node): void {
   const clash = unify(wanted, found)
   if (clash === undefined) return
+  if (clash.isUnread) {
+    s.holes.push(wanted, found)
+    return
+  }
   const isOfVariable = [clash.left, clash.right].some(t => prune(t).kind === "var")
   s.problems.push({kind: "mismatch", node, wanted, found, isOfVariable})
 }

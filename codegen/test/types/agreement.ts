@@ -329,6 +329,188 @@ import qualified Data.Map as M
 names :: M.Map String Int
 names = M.fromList [("a", 1)]
 main = putStrLn "hello" >> print (M.lookup "a" names) >> mapM_ putStrLn ["b", "c"]`,
+  "constructors in types": `{-# LANGUAGE DataKinds, KindSignatures, GADTs #-}
+data Nat = Z | S Nat
+data Vec (n :: Nat) a where
+  Nil :: Vec Z a
+  Cons :: a -> Vec n a -> Vec (S n) a
+type One = S Z
+first :: Vec (S n) a -> a
+first (Cons x _) = x
+one :: Vec One Bool
+one = Cons True Nil
+main = print (first one)`,
+  "names for patterns": `{-# LANGUAGE PatternSynonyms, ViewPatterns #-}
+pattern Two x y = [x, y]
+pattern x :> rest <- x : rest
+  where
+    x :> rest = x : rest
+pattern Point {across, up} = (across, up)
+pattern One, Other :: Int
+pattern One = 1
+pattern Other <- (odd -> False)
+f :: [Int] -> Int
+f (Two x y) = x + y
+f (One :> _) = 1
+f (Other :> rest) = f rest
+f rest = length (3 :> rest)
+main = print (f [1, 2] + across (Point 1 2) + up (3, 4))`,
+  "steps that use each other's names": `{-# LANGUAGE RecursiveDo #-}
+stream :: Maybe [Int]
+stream = do
+  rec xs <- Just (1 : ys)
+      let ys = 2 : xs
+  return (take 3 (map negate xs) ++ take 1 ys)
+main = print stream`,
+  "another name for a type of a module that is not read": `import Foreign.C.String (CStringLen)
+import Foreign.Ptr
+size :: CStringLen -> Int
+size (_, n) = n
+none :: CStringLen
+none = (nullPtr, 0)
+sizes :: [CStringLen] -> [(Int, Int)]
+sizes all = zip (map snd all) (map (succ . size) all)
+main = print (size none, sizes [none])`,
+  "names of a module that is imported as a whole, also those that Rosy and the Prelude have": `import Prelude hiding ((<>))
+import Text.PrettyPrint
+title :: Int -> Doc
+title n = text "robot" <> parens (text (show n))
+main = putStrLn (render (title 1))`,
+  "constructors of a GADT that are operators": `{-# LANGUAGE GADTs #-}
+infixr 5 :::
+data All a where
+  Nil :: All ()
+  (:::) :: t -> All ts -> All (t, ts)
+  (:+), (:-) :: Int -> All Int
+size :: All a -> Int
+size Nil = 0
+size (_ ::: rest) = 1 + size rest
+size ((:+) n) = n
+size ((:-) n) = n
+main = print (size (True ::: "a" ::: Nil))`,
+  "fields with a type that holds for all types": `{-# LANGUAGE RankNTypes, ExistentialQuantification #-}
+class Shape s where
+  leaf :: s a
+newtype Depth a = Depth Int
+newtype Name a = Name String
+instance Shape Depth where
+  leaf = Depth 1
+instance Shape Name where
+  leaf = Name "leaf"
+data Tree a = Tree (forall s. Shape s => s a)
+data Keep = Keep {pass :: forall b. b -> b, times :: Int}
+both :: Tree a -> (Int, String)
+both (Tree t) = (depth t, name t)
+  where
+    depth (Depth n) = n
+    name (Name n) = n
+changed :: Keep -> Keep
+changed k = k {pass = id, times = 2}
+used :: Keep -> (Int, Bool)
+used (Keep p n) = (p n, p True)
+main = print (both (Tree leaf), used (changed (Keep id 1)))`,
+  "fields with text and numbers in their types": `{-# LANGUAGE DataKinds, KindSignatures #-}
+import GHC.TypeLits
+newtype Field (n :: Symbol) v = Field v
+data Person = Person (Field "age" Int) (Field "name" String) Bool
+me :: Person
+me = Person (Field 56) (Field "Simon") True
+main = case me of Person (Field n) (Field text) _ -> print (n + 1, text ++ "!")`,
+  "whole numbers that look like fractions": `{-# LANGUAGE NumDecimals #-}
+kilo :: Int
+kilo = 1e3 + 1.5e1
+main = print kilo`,
+  "lists as numbers": `{-# LANGUAGE FlexibleContexts #-}
+f y = y + z ++ x
+  where
+    z = 1
+    x = 2
+main = print 1`,
+  "instances for types of one name from two modules": `{-# LANGUAGE FlexibleInstances #-}
+import qualified Data.ByteString as B
+import qualified Data.ByteString.Lazy as L
+class Sized a where
+  sizeOf :: a -> Int
+instance Sized B.ByteString where
+  sizeOf = B.length
+instance Sized L.ByteString where
+  sizeOf = fromIntegral . L.length
+main = print (sizeOf B.empty + sizeOf L.empty)`,
+  "a constraint that holds for all types": `{-# LANGUAGE QuantifiedConstraints, RankNTypes #-}
+class Made a where
+  made :: a
+one :: (forall x. Made (f x)) => f Int
+one = made
+main = print 1`,
+  "variables of an instance and of a class in annotations of their methods": `{-# LANGUAGE ScopedTypeVariables, DefaultSignatures #-}
+import GHC.Generics
+class Parts f where
+  parts :: [f a]
+class Sized a where
+  sizeOf :: a -> Int
+  start :: a
+  both :: a -> Int
+  both x = sizeOf (y :: a) + sizeOf (start :: a)
+    where
+      y :: a
+      y = x
+instance (Parts f, Constructor c) => Parts (M1 i c f) where
+  parts =
+    let name = conName (undefined :: t c f a)
+     in map M1 (if null name then [] else parts)
+main = print 1`,
+  "more arguments behind the constructor of a GADT": `{-# LANGUAGE GADTs #-}
+data Count f xs ys where
+  One :: Count (a -> b) [a] [b]
+  Succ :: Count x y z -> Count (a -> x) [a] (y -> z)
+apply :: Count f xs ys -> f -> xs -> ys
+apply One f xs = map f xs
+apply (Succ n) f xs = \\ys -> apply n (f (head xs)) ys
+main = print (apply One not [True])`,
+  "a type of the Prelude that is hidden with its constructors": `import Prelude hiding (Bool (..))
+data Bool = False | True
+f :: Bool -> Int
+f False = 0
+f True = 1
+main = print (f True)`,
+  "operators that imported types are made with": `{-# LANGUAGE TypeOperators #-}
+import Data.List.NonEmpty (NonEmpty (..))
+import GHC.Generics
+some :: NonEmpty Int
+some = 1 :| [2, 3]
+swap :: (f :*: g) a -> (g :*: f) a
+swap (a :*: b) = b :*: a
+main = print some >> print (swap ([1] :*: Just 2))`,
+  "a name for types that is an arrow of its own": `{-# LANGUAGE TypeOperators, RankNTypes #-}
+type (⇒) f g = forall a. f a -> g a
+first :: [] ⇒ Maybe
+first [] = Nothing
+first (x : _) = Just x
+main = print (first "a")`,
+  "two dots that take the names of fields": `{-# LANGUAGE RecordWildCards #-}
+data Place = Place {across :: Int, up :: Double}
+place :: [String] -> Place
+place all = Place {..}
+  where
+    across = read (head all)
+    up = read (all !! 1)
+main = print (across (place ["1", "2"]))`,
+  "a class of several types that decides one of them": `{-# LANGUAGE FunctionalDependencies, FlexibleInstances #-}
+class Lift a b | b -> a where
+  lift :: a -> b
+instance Lift (IO Int) (IO Double) where
+  lift = fmap fromIntegral
+raised :: Lift a b => a -> b
+raised = lift
+half :: IO Double
+half = do
+  n <- raised readLn
+  return (n / 2)
+main = half >>= print`,
+  "a context in brackets": `{-# LANGUAGE RankNTypes, FlexibleContexts #-}
+with :: Int -> (Show Int => r) -> r
+with n x = if n > 0 then x else x
+main = putStrLn (with 1 (show (2 :: Int)))`,
 }
 
 export const refused: {readonly [name: string]: readonly [TypeProblem["kind"], string]} = {
@@ -514,5 +696,133 @@ main = print 1`,
     `f :: a -> String
 f n = show n
 main = putStrLn (f 1)`,
+  ],
+  "a constructor in a type that does not exist": [
+    "unknown-type",
+    `{-# LANGUAGE DataKinds, KindSignatures #-}
+data Nat = Z | S Nat
+data Vec (n :: Nat) a = Nil
+first :: Vec (T n) a -> Int
+first _ = 1
+main = print 1`,
+  ],
+  "a constructor in a type without DataKinds": [
+    "unknown-type",
+    `data Nat = Z | S Nat
+data Vec n a = Nil
+first :: Vec (S n) a -> Int
+first _ = 1
+main = print 1`,
+  ],
+  "a pattern without a name beside one that has a name": [
+    "unknown-name",
+    `{-# LANGUAGE PatternSynonyms #-}
+pattern Two x y = [x, y]
+f (Three x y) = x + y
+main = print (f [1, 2])`,
+  ],
+  "a name that steps do not make": [
+    "unknown-name",
+    `{-# LANGUAGE RecursiveDo #-}
+stream :: Maybe [Int]
+stream = do
+  rec xs <- Just (1 : xs)
+  return (map negate zs)
+main = print stream`,
+  ],
+  "a part of a known type beside one that is not read": [
+    "mismatch",
+    `import Foreign.C.String (CStringLen)
+size :: CStringLen -> Maybe Int -> Int
+size _ (_, n) = n
+main = print 1`,
+  ],
+  "a wrong input beside a module that is imported as a whole": [
+    "mismatch",
+    `import Text.PrettyPrint
+title :: Doc
+title = if not "a" then text "b" else text "c"
+main = print title`,
+  ],
+  "a wrong field beside one with a type that holds for all types": [
+    "mismatch",
+    `{-# LANGUAGE RankNTypes #-}
+data Keep = Keep {pass :: forall b. b -> b, times :: Int}
+changed :: Keep -> Keep
+changed k = k {pass = id, times = True}
+main = print (times (changed (Keep id 1)))`,
+  ],
+  "a fraction as a whole number": [
+    "no-instance",
+    `{-# LANGUAGE NumDecimals #-}
+kilo :: Int
+kilo = 1.5
+main = print kilo`,
+  ],
+  "a list as a number": [
+    "no-instance",
+    `f y = y + z ++ x
+  where
+    z = 1
+    x = 2
+main = print 1`,
+  ],
+  "a list as a number under a signature": [
+    "no-instance",
+    `{-# LANGUAGE FlexibleContexts #-}
+f :: [a] -> [a]
+f y = y + y
+main = print 1`,
+  ],
+  "two instances for one type of a module": [
+    "second-instance",
+    `{-# LANGUAGE FlexibleInstances #-}
+import qualified Data.ByteString as B
+class Sized a where
+  sizeOf :: a -> Int
+instance Sized B.ByteString where
+  sizeOf = B.length
+instance Sized B.ByteString where
+  sizeOf _ = 1
+main = print (sizeOf B.empty)`,
+  ],
+  "a wrong input in a method of a class whose members use its variable": [
+    "mismatch",
+    `{-# LANGUAGE ScopedTypeVariables #-}
+class Sized a where
+  sizeOf :: a -> Int
+  both :: a -> Bool
+  both x = not (sizeOf (x :: a))
+main = print 1`,
+  ],
+  "an argument for a variable of a signature": [
+    "too-many-arguments",
+    `f :: a -> Int
+f x = x 1
+main = print (f 'x')`,
+  ],
+  "an operator that no imported type is made with": [
+    "unknown-name",
+    `import Data.List.NonEmpty (NonEmpty (..))
+some :: NonEmpty Int
+some = 1 :|: [2, 3]
+main = print some`,
+  ],
+  "two dots that take a name of another type": [
+    "mismatch",
+    `{-# LANGUAGE RecordWildCards #-}
+data Place = Place {across :: Int, up :: Double}
+place :: Bool -> Place
+place across = Place {up = 1, ..}
+main = print (across (place True))`,
+  ],
+  "a type that nothing decides beside a class of several types": [
+    "ambiguous",
+    `{-# LANGUAGE FunctionalDependencies #-}
+class Lift a b | b -> a where
+  lift :: a -> b
+size :: String -> Int
+size text = length (show (read text))
+main = print (size "1")`,
   ],
 }

@@ -67,6 +67,14 @@ test.each([
     "a name of the Prelude that is defined anew and used with a qualifier",
     "module Main where\nimport Prelude hiding (sum)\nfoldr :: (a -> b -> b) -> b -> [a] -> b\nfoldr f z [] = z\nfoldr f z (x:xs) = f x (Main.foldr f z xs)\nand p q = p q\nsum :: [Int] -> Int\nsum = Main.foldr (+) 0\n",
   ],
+  [
+    "fields that several types have with DuplicateRecordFields",
+    "{-# LANGUAGE DuplicateRecordFields #-}\ndata A = A {name :: Int, size :: Int}\ndata B = B {name :: Bool}\nf :: A -> (A, B)\nf a = (A {name = 1, size = 2}, B {name = True})\ng :: A -> B -> A\ng a (B {name = n}) = if n then a {name = 3, size = 1} else a\n",
+  ],
+  [
+    "a type that is named with the program's own module",
+    "module Flags where\ntype Flags = [Flag]\ndata Flag = Up | Down\nf :: (String, Flags.Flag) -> Maybe Flag\nf (_, flag) = Just flag\n",
+  ],
 ])("nothing is said about %s", (_, text) => {
   const {problems} = infer(workspaceOf(openView(reader, text)))
   expect(problems.filter(p => p.kind !== "no-main").map(p => `${p.kind}: ${p.message}`)).toEqual([])
@@ -81,7 +89,12 @@ test.each([
     "a variable of the signature beside such a constructor",
     "{-# LANGUAGE GADTs #-}\ndata Field a where\n  FInt :: Field Int\nf :: Field a -> Int\nf FInt = 1\ng :: a -> Bool\ng x = not x\n",
   ],
+  ["fields that several types have", "data A = A {name :: Int}\ndata B = B {name :: Bool}\n"],
+  [
+    "two types of one name with DuplicateRecordFields",
+    "{-# LANGUAGE DuplicateRecordFields #-}\ndata A = A {name :: Int}\ndata A = B {name :: Bool}\n",
+  ],
 ])("but it is said: %s", (_, text) => {
   const {problems} = infer(workspaceOf(openView(reader, text)))
-  expect(problems.filter(p => p.kind === "type-mismatch")).not.toEqual([])
+  expect(problems.filter(p => p.kind === "type-mismatch" || p.kind === "duplicate")).not.toEqual([])
 })

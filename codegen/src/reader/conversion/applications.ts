@@ -1,5 +1,6 @@
 /// Operators, sections, tuples and applications: from syntax to model. Chains get their fixities and applications become flat.
 
+import {fixityOf} from "../../haskell/fixity.ts"
 import type {Cause} from "../../model/raw_reasons.ts"
 import type {Expr} from "../../model/syntax_tree.ts"
 import type {Range} from "../../source/lexer.ts"
@@ -28,23 +29,49 @@ export function readChain(node: Syntax, r: Reading): Expr | Cause {
     start: pieces[from]?.start ?? node.start,
     end: pieces[to]?.end ?? node.end,
   })
-  return (
-    resolve<Expr>(links, r.context.fixities, {
-      infix: (op, left, right, from, to) => {
-        const [l, r2] = [bounded(left, r), bounded(right, r)]
-        const made = r.context.at(over(from, to), {kind: "infix", op, left: l, right: r2} as const)
-        r.context.depths.set(made, 1 + Math.max(depthOf(l, r), depthOf(r2, r)))
-        return made
-      },
+  const infix = (op: string, left: Expr, right: Expr, from: number, to: number): Expr => {
+    const [l, r2] = [bounded(left, r), bounded(right, r)]
+    const made = r.context.at(over(from, to), {kind: "infix", op, left: l, right: r2} as const)
+    r.context.depths.set(made, 1 + Math.max(depthOf(l, r), depthOf(r2, r)))
+    return made
+  }
+  const group = (first: number, behind: number): Expr | undefined =>
+    resolve<Expr>(links.slice(first, behind), r.context.fixities, {
+      infix: (op, left, right, from, to) => infix(op, left, right, first + from, first + to),
       negate: (expr, from, to) =>
         r.context.at(
-          over(from, to),
+          over(first + from, first + to),
           expr.kind === "number" && !expr.text.startsWith("-")
             ? ({kind: "number", text: `-${expr.text}`} as const)
             : ({kind: "negate", expr} as const),
         ),
-    }) ?? "operators"
-  )
+    })
+  // Where a fixity is not known, what stands behind `$` may still be a part of its own.
+  const groupFrom = (first: number): Expr | undefined => {
+    const made = group(first, links.length)
+    if (made !== undefined) return made
+    const dollar = links.findIndex((l, i) => i > first && l.kind === "operator" && l.op === "$")
+    if (
+      dollar < 0 ||
+      !hasUnknownFixity(links.slice(dollar), r) ||
+      !bindsTighter(links.slice(first, dollar), r)
+    )
+      return undefined
+    const left = group(first, dollar)
+    if (left === undefined) return undefined
+    const right = groupFrom(dollar + 1) ?? rawExpr(over(dollar + 1, links.length - 1), "operators", r)
+    return infix("$", left, right, first, links.length - 1)
+  }
+  return groupFrom(0) ?? "operators"
+}
+
+function hasUnknownFixity(links: readonly Link<Expr>[], r: Reading): boolean {
+  return links.some(l => l.kind === "operator" && Number.isNaN(fixityOf(l.op, r.context.fixities).precedence))
+}
+
+/// Whether all operators certainly bind tighter than `$`.
+function bindsTighter(links: readonly Link<Expr>[], r: Reading): boolean {
+  return links.every(l => l.kind !== "operator" || fixityOf(l.op, r.context.fixities).precedence > 0)
 }
 
 /// Nested operators of a chain: a longer one keeps its innermost part as text.

@@ -27,7 +27,20 @@ type Waiting<T> =
 const minus: Fixity = {precedence: 6, associates: "left"}
 const start: Fixity = {precedence: -1, associates: "none"}
 
-/// `undefined` when the fixities forbid the chain, as in `a == b == c`.
+/// How two operators group that stand side by side: the left one takes the operand between them first, or the right one does.
+/// Undefined where their fixities forbid that, and where one is not known and the grouping depends on it.
+function groupingOf(left: Fixity, right: Fixity): "left" | "right" | undefined {
+  if (Number.isNaN(left.precedence) || Number.isNaN(right.precedence)) {
+    // Every operator that GHC lets stand behind `$` binds tighter or as it does, and none binds tighter than an `infixl 9`.
+    if (left.precedence === 0 && left.associates === "right") return "right"
+    return left.precedence === 9 && left.associates === "left" ? "left" : undefined
+  }
+  if (left.precedence !== right.precedence) return left.precedence > right.precedence ? "left" : "right"
+  if (left.associates !== right.associates || left.associates === "none") return undefined
+  return left.associates
+}
+
+/// `undefined` when the fixities forbid the chain, as in `a == b == c`, or do not decide how it groups.
 export function resolve<T>(links: readonly Link<T>[], fixities: Fixities, build: Build<T>): T | undefined {
   // Operators and signs that wait for their right operand, each with the operand on its left.
   const waiting: Waiting<T>[] = []
@@ -49,11 +62,9 @@ export function resolve<T>(links: readonly Link<T>[], fixities: Fixities, build:
     const own = next === undefined ? start : fixityOf(next.op, fixities)
     // Everything that binds tighter than the next operator is complete.
     for (let top = waiting[waiting.length - 1]; top !== undefined; top = waiting[waiting.length - 1]) {
-      const {fixity} = top
-      if (next !== undefined && fixity.precedence === own.precedence) {
-        if (fixity.associates !== own.associates || own.associates === "none") return undefined
-        if (own.associates === "right") break
-      } else if (next !== undefined && fixity.precedence < own.precedence) break
+      const grouping = next === undefined ? "left" : groupingOf(top.fixity, own)
+      if (grouping === undefined) return undefined
+      if (grouping === "right") break
       waiting.pop()
       done =
         top.kind === "minus"

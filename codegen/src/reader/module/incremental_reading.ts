@@ -5,6 +5,7 @@
 
 import type {Fixity} from "../../haskell/fixity.ts"
 import {redefinedOperators} from "../../haskell/fixity.ts"
+import {operatorsIn} from "../../haskell/import_fixities.ts"
 import {firstWith, type Range} from "../../source/lexer.ts"
 import type {Converted, Module, Piece} from "./module_pieces.ts"
 
@@ -28,6 +29,8 @@ export interface Reading {
   readonly extensions: ReadonlySet<string>
   /// Operators whose binding the file declares itself.
   readonly declared: ReadonlyMap<string, Fixity>
+  /// All operators of the file, where some are imported with a fixity of their own or an unknown one.
+  readonly operators: ReadonlySet<string> | undefined
   readonly margin: number | undefined
   readonly isClosed: boolean
 }
@@ -100,13 +103,23 @@ function commonEnds(one: string, other: string): readonly [number, number] {
 
 /// Whether operators bind in the whole file as they did and its extensions are the same, so that what is outside of the window says the same.
 export function hasSameDialect(
-  {module, sections, declared}: Reading,
+  {module, sections, declared, operators}: Reading,
   {first, behind}: Change,
   window: string,
   parts: readonly {readonly name: string}[],
 ): boolean {
   const declares = (text: string) => text.includes("infix") || /LANGUAGE/i.test(text)
   if (declares(window) || module.pieces.slice(first, behind).some(piece => declares(piece.slice)))
+    return false
+  const old = module.pieces
+    .slice(first, behind)
+    .map(piece => piece.slice)
+    .join("")
+  if (importLines(old) !== importLines(window)) return false
+  if (
+    operators !== undefined &&
+    hasOtherOperators(operators, window, [...parts, ...sections.slice(first, behind)])
+  )
     return false
   const own = (named: readonly {readonly name: string}[]) =>
     [
@@ -117,6 +130,20 @@ export function hasSameDialect(
     ].join(" ")
   const now = [...sections.slice(0, first), ...parts, ...sections.slice(behind)]
   return own(sections) === own(now)
+}
+
+function importLines(text: string): string {
+  return (text.match(/^[ \t]*import\b.*(?:\n[ \t]+.*)*/gm) ?? []).join("\n")
+}
+
+/// Whether a window has an operator that the file had not, or defines one, so that fixities of the file must be found anew.
+function hasOtherOperators(
+  operators: ReadonlySet<string>,
+  window: string,
+  defined: readonly {readonly name: string}[],
+): boolean {
+  if (defined.some(({name}) => operators.has(name))) return true
+  return [...operatorsIn(window)].some(op => !operators.has(op))
 }
 
 /// The reading with the window in its place; undefined where the window has an effect on what is outside of it.

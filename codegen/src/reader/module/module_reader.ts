@@ -6,6 +6,7 @@
 import type {Language, Parser, Tree} from "web-tree-sitter"
 import type {Fixity} from "../../haskell/fixity.ts"
 import {fixitiesIn, redefinedOperators} from "../../haskell/fixity.ts"
+import {importedFixities, operatorsIn} from "../../haskell/import_fixities.ts"
 import {namesBoundBy} from "../../model/bound_names.ts"
 import type {Cause} from "../../model/raw_reasons.ts"
 import {reasons} from "../../model/raw_reasons.ts"
@@ -63,7 +64,8 @@ export class Reader {
     const parts = partsOf(text, lexed)
     const declared = fixitiesOf(text, lexed)
     const names = parts.map(part => part.name)
-    const fixities = new Map([...redefinedOperators(names, declared), ...declared])
+    const imported = importedOperators(text, lexed, names)
+    const fixities = new Map([...imported, ...redefinedOperators(names, declared), ...declared])
     const known = convertedByKey(this.last?.sections ?? [])
     const extensions = extensionsIn(text)
     const {pieces, sections} = this.readParts(text, parts, {fixities, extensions}, known)
@@ -72,6 +74,7 @@ export class Reader {
       extensions,
       sections,
       declared,
+      operators: imported.size === 0 ? undefined : operatorsIn(text),
       margin: lexed.margin,
       isClosed: lexed.isClosed,
     }
@@ -302,6 +305,23 @@ function fixitiesOf(text: string, lexed: Lexed): Map<string, Fixity> {
     if (item.kind === "declaration" && text.startsWith("infix", item.start))
       for (const [op, fixity] of fixitiesIn(text.slice(item.start, item.end))) found.set(op, fixity)
   return found
+}
+
+/// Fixities of operators that the file imports and does not define.
+function importedOperators(text: string, {items}: Lexed, names: readonly string[]): Map<string, Fixity> {
+  const first = items.find(item => item.kind === "declaration")
+  const header = text.slice(0, first?.start ?? text.length)
+  if (!/^[ \t]*import\b/m.test(header)) return new Map()
+  const definers = items.flatMap(({start, end}) => {
+    const slice = text.slice(start, end)
+    return /^(?:data|newtype|type|class|pattern|foreign)\b/.test(slice) ? [slice] : []
+  })
+  const signed = text.match(/^[ \t]*\([!#$%&*+./<=>?@\\^|~:\p{S}-]+\).*::/gmu) ?? []
+  const own = new Set([...names, ...operatorsIn([...definers, ...signed].join("\n"))])
+  return importedFixities(
+    header,
+    [...operatorsIn(text)].filter(op => !own.has(op)),
+  )
 }
 
 function namesOf(d: Declaration, guessed: string): readonly string[] {

@@ -80,8 +80,10 @@ function withGrammarEquivalents(source: string, hasSplices: boolean): string {
 /// Haskell that the grammar does not know and blocks cannot show, and the text of the same form that it knows.
 const standIns: readonly {readonly cause: Cause; readonly part: RegExp; readonly by: string}[] = [
   // Arrow notation: `proc x -> f -< x` has the form of a function.
-  {cause: "expression", part: /(?<![\p{L}\p{N}_'])proc(?=\s*[\p{L}_(~![])/gu, by: "\\"},
-  {cause: "expression", part: /(?<![!#$%&*+./<=>?@\\^|~:-])-<<?(?![!#$%&*+./<=>?@\\^|~:-])/gu, by: "+"},
+  {cause: "arrow", part: /(?<![\p{L}\p{N}_'])proc(?=\s*[\p{L}_(~![])/gu, by: "\\"},
+  {cause: "arrow", part: /(?<![!#$%&*+./<=>?@\\^|~:-])-<<?(?![!#$%&*+./<=>?@\\^|~:-])/gu, by: "+"},
+  // `(| e c |)` passes a command to an operator.
+  {cause: "arrow", part: /\(\|(?=\s)|(?<=\s)\|\)/gu, by: " "},
   // A constructor that is an operator, with fields.
   {cause: "data", part: /\(\s*:[!#$%&*+./<=>?@\\^|~:-]+\s*\)(?=\s*\{)/gu, by: "A"},
 ]

@@ -3,20 +3,12 @@
 /// A reading of lines, not a parser: whatever it cannot tell for sure is a name of unknown type, which fits everywhere and about which only
 /// GHC can say more.
 
+import {extensionsIn} from "../../source/directives.ts"
+import type {Import} from "../../source/imports.ts"
+import {importsIn, logicalLines} from "../../source/imports.ts"
 import type {Scheme} from "../syntax/type.ts"
 import {parseScheme, parseSignature} from "../syntax/type_parser.ts"
 import type {Instance} from "./environment.ts"
-
-/// `import qualified Data.Map as Map (Map, insert)`.
-export interface Import {
-  readonly module: string
-  readonly qualified: boolean
-  /// What stands before the dot.
-  readonly as: string
-  /// Names that are taken, or that are left out; undefined for all.
-  readonly only: ReadonlySet<string> | undefined
-  readonly hiding: ReadonlySet<string>
-}
 
 export interface WrittenType {
   readonly name: string
@@ -28,6 +20,8 @@ export interface WrittenType {
     /// Names of fields whose types are left to GHC.
     readonly labels?: readonly string[]
   }[]
+  /// Whether it is another name for a type, which is not read.
+  readonly isSynonym?: boolean
 }
 
 export interface ScannedDeclarations {
@@ -50,12 +44,15 @@ export interface ScannedDeclarations {
   readonly ownQualified: ReadonlySet<string>
   /// Type families: what such a type is, only GHC computes.
   readonly families: readonly string[]
-  /// Whether a pragma of the header asks for OverloadedStrings.
-  readonly overloadedStrings: boolean
+  /// Extensions of the language that pragmas of the header turn on.
+  readonly extensions: ReadonlySet<string>
+  /// Names for patterns, each with the names of its fields.
+  readonly patterns: readonly {readonly name: string; readonly labels: readonly string[]}[]
 }
 
 const word = String.raw`[\p{Ll}_][\p{L}\p{N}_']*`
 const symbol = String.raw`[!#$%&*+./<=>?@\\^|~:-]+`
+const constructorName = String.raw`(?:[\p{Lu}][\p{L}\p{N}_']*|\(:${symbol}\))`
 
 export function scanDeclarations(header: string, definitions: readonly string[]): ScannedDeclarations {
   const found: MutableEnvironment = {
@@ -67,10 +64,10 @@ export function scanDeclarations(header: string, definitions: readonly string[])
     superclasses: new Map(),
     unread: [],
     families: [],
+    patterns: [],
   }
-  for (const text of definitions) for (const line of logical(text)) readDefinition(line, found)
+  for (const text of definitions) for (const line of logicalLines(text)) readDefinition(line, found)
   const {unread, ...scanned} = found
-  const overloadedStrings = /\{-#\s*LANGUAGE\b[^#]*\bOverloadedStrings\b/i.test(header)
   const hasAllInstances = unread.length === 0 && !/\b(?:TemplateHaskell|QuasiQuotes|CPP)\b/.test(header)
   const moduleName = /^[ \t]*module\s+([\p{Lu}][\p{L}\p{N}_'.]*)/mu.exec(header)?.[1]
   const qualifier = (moduleName ?? "Main").replaceAll(".", "\\.")
@@ -78,57 +75,15 @@ export function scanDeclarations(header: string, definitions: readonly string[])
   const ownQualified = new Set(
     definitions.flatMap(text => [...text.matchAll(qualified)].map(m => m[1] ?? "")),
   )
-  // The lines of the whole file may be indented below `module … where`.
-  const imports = logical(header.replace(/^[ \t]+(?=import\b)/gm, "")).flatMap(readImport)
+  const imports = importsIn(header)
   return {
     ...scanned,
     imports,
     hasAllInstances,
     moduleName,
     ownQualified,
-    overloadedStrings,
+    extensions: extensionsIn(header),
   }
-}
-
-/// Lines that start at the margin, each with those below it that are indented. Without comments.
-function logical(text: string): string[] {
-  const lines: string[] = []
-  for (const line of text.replace(/\{-[\s\S]*?-\}/g, " ").split("\n")) {
-    const bare = line.replace(/(^|\s)--(?![!#$%&*+./<=>?@\\^|~:]).*$/, "").trimEnd()
-    if (bare === "") continue
-    if (/^\s/.test(bare) && lines.length > 0) lines[lines.length - 1] += `\n${bare}`
-    else lines.push(bare)
-  }
-  return lines
-}
-
-function readImport(line: string): Import[] {
-  const flat = line.replace(/\s+/g, " ")
-  const found =
-    /^import (?:safe )?(qualified )?(?:"[^"]*" )?([\p{Lu}][\w.']*)( qualified)?(?: as ([\p{Lu}][\w.']*))? ?(?:(hiding ?)?\((.*)\))? ?;?$/u.exec(
-      flat,
-    )
-  // An import that is written in another way may bring any name.
-  if (found === null)
-    return /^import\b/.test(flat)
-      ? [{module: "?", qualified: false, as: "?", only: undefined, hiding: new Set()}]
-      : []
-  const [, before, module = "", after, as, hiding, list] = found
-  const names = list === undefined ? undefined : listed(list)
-  return [
-    {
-      module,
-      qualified: before !== undefined || after !== undefined,
-      as: as ?? module,
-      only: hiding === undefined ? names : undefined,
-      hiding: (hiding === undefined ? undefined : names) ?? new Set(),
-    },
-  ]
-}
-
-/// `Map, (!), Maybe (..), Either (Left, Right)`.
-function listed(list: string): Set<string> {
-  return new Set(list.match(new RegExp(String.raw`[\p{L}_][\p{L}\p{N}_'.]*|\.\.|${symbol}`, "gu")) ?? [])
 }
 
 interface MutableEnvironment {
@@ -141,6 +96,7 @@ interface MutableEnvironment {
   /// Instances in a form that is not read.
   readonly unread: string[]
   readonly families: string[]
+  readonly patterns: {name: string; labels: readonly string[]}[]
 }
 
 function readDefinition(line: string, found: MutableEnvironment): void {
@@ -151,10 +107,19 @@ function readDefinition(line: string, found: MutableEnvironment): void {
   if (keyword === undefined) readValue(line, found)
   else if (/^(?:type|data|newtype)\s+(?:family|instance)\b/.test(line)) readFamily(line, found)
   else if (keyword === "data" || keyword === "newtype") found.types.push(readType(line))
-  else if (keyword === "type") found.types.push({...readType(line), constructors: []})
+  else if (keyword === "type") found.types.push({...readType(line), constructors: [], isSynonym: true})
   else if (keyword === "class") readClass(line, found)
   else if (keyword.endsWith("instance")) readInstance(line, found)
   else if (/^foreign\s+import\b/.test(line)) readForeign(line, found)
+  else if (keyword === "pattern") readPatternSynonym(line, found)
+}
+
+/// `pattern Two x y = [x, y]`, `pattern x :> y <- …`, `pattern Point {left, right} = …`, or `pattern A, B :: Int`.
+function readPatternSynonym(line: string, {patterns}: Pick<MutableEnvironment, "patterns">): void {
+  const left = line.replace(/^pattern\s+/, "").split(/\s(?:=|<-|←|::|∷)\s/)[0] ?? ""
+  const labels = [...(/\{([^}]*)\}/.exec(left)?.[1]?.matchAll(new RegExp(word, "gu")) ?? [])].map(m => m[0])
+  for (const [name] of left.matchAll(new RegExp(String.raw`[\p{Lu}][\p{L}\p{N}_']*|:${symbol}`, "gu")))
+    patterns.push({name, labels})
 }
 
 const names = String.raw`(?:${word}|\(${symbol}\))(?:\s*,\s*(?:${word}|\(${symbol}\)))*`
@@ -164,7 +129,7 @@ const signature = new RegExp(String.raw`^(${names})\s*(?:::|∷)\s*([\s\S]*)$`, 
 export function signatureIn(
   text: string,
 ): {readonly names: readonly string[]; readonly type: string} | undefined {
-  const [line, ...others] = logical(text)
+  const [line, ...others] = logicalLines(text)
   const found = line === undefined || others.length > 0 ? null : signature.exec(line)
   if (found === null) return undefined
   const [, left = "", type = ""] = found
@@ -315,6 +280,12 @@ function readInstance(line: string, found: MutableEnvironment): void {
 
 const infixType = new RegExp(`^${symbol}$`, "u")
 
+/// A constructor of a GADT, and its fields if they have names: `Just'`, `(:+:)`, the first of `A, B :: T`.
+const gadtConstructor = new RegExp(
+  String.raw`(?:^|\s)(${constructorName})(?=(?: ?, ?${constructorName})* ::)(?: ::(?: forall [^.]*\.)?(?:(?! :: )[^{])*?\{([^}]*)\} ->)?`,
+  "gu",
+)
+
 /// A type with its constructors, as far as they are plain.
 function readType(line: string): WrittenType {
   const flat = line.replace(/\bderiving\b[\s\S]*$/, "").replace(/\s+/g, " ")
@@ -329,23 +300,16 @@ function readType(line: string): WrittenType {
     .split(" ")
   // `type f ~> g`
   const operator = words.find(w => infixType.test(w))
-  const [name = "_", ...parameters] = operator === undefined ? words : [operator, ...words]
+  const [name = "_", ...parameters] = (operator === undefined ? words : [operator, ...words]).map(bare)
   const gadt = / where (.*)$/.exec(flat)?.[1]
-  const written =
-    gadt === undefined
-      ? []
-      : [
-          ...gadt.matchAll(
-            /(?:^|\s)([\p{Lu}][\w']*) ::(?:(?: forall [^.]*\.)?(?:(?! :: )[^{])*?\{([^}]*)\} ->)?/gu,
-          ),
-        ]
+  const written = gadt === undefined ? [] : [...gadt.matchAll(gadtConstructor)]
   const cases = right === undefined ? [] : right.split(" | ").map(c => c.trim())
   return {
     name,
     parameters: parameters.filter(p => /^[\p{Ll}_]/u.test(p)),
     constructors: [
       ...written.map(([, of = "", fields = ""]) => ({
-        name: of,
+        name: bare(of),
         fields: undefined,
         labels: [...fields.matchAll(/([\p{Ll}_][\p{L}\p{N}_']*) ?(?=,|::)/gu)].map(m => m[1] ?? ""),
       })),
@@ -368,7 +332,10 @@ function readConstructor(text: string): WrittenType["constructors"][number] {
     }
     return {name: bare(record[1] ?? ""), fields: read}
   }
-  const core = plain.replace(/^forall [^.]*\. ?/, "").replace(/^.*=> ?/, "")
+  // A context may stand in front, and inside of brackets in a field.
+  const core = plain
+    .replace(/^forall [^.]*\. ?/, "")
+    .replace(/^(?:[^()]|\((?:[^()]|\([^()]*\))*\))*?=> ?/, "")
   // `Step :> Path`: its parts are left to GHC.
   const between = / (:[!#$%&*+./<=>?@\\^|~:-]+|`[\p{Lu}][\w']*`) /u.exec(` ${core} `)?.[1]
   if (between !== undefined) return {name: between.replaceAll("`", ""), fields: undefined}

@@ -5,7 +5,7 @@ import type {Type} from "../syntax/type.ts"
 import {app, con, TypeTooLarge} from "../syntax/type.ts"
 import {isHigherRank, parseType, withQualifiersApart} from "../syntax/type_parser.ts"
 import type {Environment, Instance, Lookup, MutableEnvironment, MutableLookup} from "./environment.ts"
-import {addData, addInstance, expand, OverlayMap} from "./environment.ts"
+import {addData, addInstance, expand, OverlayMap, unknown} from "./environment.ts"
 import {reduce} from "./unification.ts"
 
 /// Classes that every type of the program's own belongs to: Rosy adds the instances (rosy-hs/src/Rosy/Program.hs).
@@ -20,6 +20,7 @@ export function withDeclaredTypes(
   base: Environment,
   declarations: readonly (DataDeclaration | SynonymDeclaration)[],
 ): Environment {
+  const {moduleName} = base
   const written = base.written ?? new Set<string>()
   const ranked = rankedIn(declarations, base.ranked)
   const ownTypes = new Set([...(base.ownTypes ?? []), ...declarations.map(d => d.name)])
@@ -60,15 +61,15 @@ export function withDeclaredTypes(
         d.kind === "data" ? d.deriving.map(of => `${of.replace(/^.*[. ]/, "")} ${d.name}`) : [],
       ),
     ),
-    moduleName: base.moduleName,
+    moduleName,
     importedClasses: base.importedClasses ?? new Set<string>(),
-    overloadedStrings: base.overloadedStrings ?? false,
+    extensions: base.extensions ?? new Set<string>(),
     ranked,
   }
   for (const d of declarations) {
     env.hidden.delete(d.name)
     if (d.kind === "synonym") {
-      const synonym = parseType(withQualifiersApart(d.type.text, ownTypes))
+      const synonym = parseType(withQualifiersApart(d.type.text, {ownTypes, moduleName}))
       env.types.set(d.name, {
         parameters: d.parameters,
         constructors: [],
@@ -85,7 +86,9 @@ export function withDeclaredTypes(
         name: c.name,
         fields: c.fields.map(f => ({
           name: f.name,
-          type: isHigherRank(f.type.text, ranked) ? "forall" : withQualifiersApart(f.type.text, ownTypes),
+          type: isHigherRank(f.type.text, ranked)
+            ? "forall"
+            : withQualifiersApart(f.type.text, {ownTypes, moduleName}),
         })),
       })),
       true,
@@ -97,8 +100,18 @@ export function withDeclaredTypes(
     for (const name of new Set([...derivable, ...d.deriving]))
       if (!written.has(`${name} ${d.name}`)) addInstance(env, name, derivedInstance(name, d))
   }
+  // With DuplicateRecordFields, only GHC finds out whose field a name is.
+  for (const name of sharedFields(declarations)) env.values.set(name, unknown)
   dropUnderivable(env, declarations)
   return env
+}
+
+/// Names of fields that several types have.
+function sharedFields(declarations: readonly (DataDeclaration | SynonymDeclaration)[]): string[] {
+  const all = declarations.flatMap(d =>
+    d.kind === "data" ? [...new Set(d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? [])))] : [],
+  )
+  return all.filter((name, at) => all.indexOf(name) < at)
 }
 
 /// Classes of type constructors: a derived instance is about the type without its last parameter.

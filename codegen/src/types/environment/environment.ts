@@ -34,6 +34,8 @@ export interface TypeEntry {
   readonly own: boolean
   /// From an import or from text: which classes it belongs to is GHC's business, unless an instance is known.
   readonly foreign?: boolean
+  /// Only GHC knows what it stands for: it may be another name for any type.
+  readonly isUnread?: boolean
 }
 
 export interface Instance {
@@ -97,8 +99,8 @@ export interface Environment {
   readonly ownTypes?: ReadonlySet<string>
   /// Classes of imported modules, which only GHC knows more about.
   readonly importedClasses?: ReadonlySet<string>
-  /// Whether text literals have any type of the class `IsString` (OverloadedStrings).
-  readonly overloadedStrings?: boolean
+  /// Extensions of the language that the program turns on.
+  readonly extensions?: ReadonlySet<string>
 }
 
 /// The library's environment, which can also be gone through.
@@ -132,7 +134,7 @@ export interface MutableEnvironment {
   derived?: ReadonlySet<string>
   moduleName?: string | undefined
   importedClasses?: ReadonlySet<string>
-  overloadedStrings?: boolean
+  extensions?: ReadonlySet<string>
 }
 
 export interface MutableLookup<V> extends Lookup<V> {
@@ -194,9 +196,9 @@ function readLine(line: string, env: MutableEnvironment): void {
     if (hidden !== undefined) env.hidden.add(name)
     addData(
       env,
-      name,
+      name.replace(/^\((.+)\)$/, "$1"),
       parameters.trim().split(" ").filter(Boolean),
-      splitTop(right, "|").map(readConstructor),
+      right.split(" | ").filter(Boolean).map(readConstructor),
       false,
     )
     return
@@ -248,9 +250,9 @@ function readConstructor(text: string): {name: string; fields: {name?: string; t
         return names.split(",").map(n => ({name: n.trim(), type: type.trim()}))
       }),
     }
-  const infix = /^!?(\S+) (:\S+) !?(\S+)$/.exec(text.trim())
-  if (infix !== null) return {name: infix[2] ?? "", fields: [{type: infix[1] ?? ""}, {type: infix[3] ?? ""}]}
-  const [name = "", ...fields] = words(text.trim())
+  const [name = "", ...fields] = words(text.trim().replaceAll("!", ""))
+  const [operator = "", right = ""] = fields
+  if (operator.startsWith(":")) return {name: operator, fields: [{type: name}, {type: right}]}
   return {name, fields: fields.map(type => ({type}))}
 }
 
@@ -285,14 +287,23 @@ export function addData(
   const result = app(con(name), ...parameters.map((p): Type => ({kind: "var", name: p})))
   env.types.set(name, {parameters, constructors: constructors.map(c => c.name), own})
   for (const c of constructors) {
-    const fields = c.fields.map(f => parseType(f.type) ?? ({kind: "var", name: "?"} as Type))
+    // A type that is not read has a variable of its own, of which nothing is known at any use.
+    const open: string[] = []
+    const fields = c.fields.map((f): Type => {
+      const type = parseType(f.type)
+      if (type !== undefined) return type
+      const name = `?${open.length}`
+      open.push(name)
+      return {kind: "var", name}
+    })
     const variables = [
       ...parameters,
       ...[...variablesIn(funs(fields, result))].filter(v => !parameters.includes(v)),
     ]
     env.constructors.set(c.name, {
       name: c.name,
-      scheme: fields.length > mostFields ? unknown : {variables, constraints: [], type: funs(fields, result)},
+      scheme:
+        fields.length > mostFields ? unknown : {variables, constraints: [], type: funs(fields, result), open},
       fields,
       fieldNames: c.fields.map(f => f.name),
       of: name,
@@ -300,7 +311,7 @@ export function addData(
     c.fields.forEach((f, i) => {
       const type = fields[i]
       if (f.name !== undefined && type !== undefined)
-        env.values.set(f.name, {variables, constraints: [], type: funs([result], type)})
+        env.values.set(f.name, {variables, constraints: [], type: funs([result], type), open})
     })
   }
 }
@@ -311,6 +322,15 @@ export function addInstance(env: MutableEnvironment, name: string, instance: Ins
   of.set(head.kind === "con" ? head.name : "*", instance)
   env.instances.set(name, of)
 }
+
+/// Whether a type's declaration was not read: it may be another name for any type.
+function isUnreadType(name: string, env: Environment): boolean {
+  const entry = env.types.get(name)
+  return entry === undefined ? !builtInHeads.test(name) : entry.isUnread === true
+}
+
+/// Types with a syntax of their own, which no table lists.
+export const builtInHeads = /^(?:->|\[\]|\(,*\))$/
 
 /// A type with all synonyms written out. A synonym inside of its own definition stays as it is.
 export function expand(
@@ -333,5 +353,6 @@ export function expand(
     }
   }
   size.level--
-  return expanded.length === 0 ? head : app(head, ...expanded)
+  const known = head.kind === "con" && isUnreadType(head.name, env) ? {...head, isUnread: true} : head
+  return expanded.length === 0 ? known : app(known, ...expanded)
 }

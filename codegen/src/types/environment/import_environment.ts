@@ -1,9 +1,10 @@
 /// Type environment extended by a program's imports and by declarations that stay Haskell text.
 
+import type {Import} from "../../source/imports.ts"
 import type {Scheme, Type} from "../syntax/type.ts"
 import {app, con, funs, variablesIn} from "../syntax/type.ts"
 import {parseType} from "../syntax/type_parser.ts"
-import type {Import, ScannedDeclarations, WrittenType} from "./declaration_scanner.ts"
+import type {ScannedDeclarations, WrittenType} from "./declaration_scanner.ts"
 import type {ConstructorInfo, Environment, Instance, Library, Lookup, TypeEntry} from "./environment.ts"
 import {OverlayMap, parseEnvironment, unknown} from "./environment.ts"
 import {typeNamesIn} from "./kinds.ts"
@@ -24,12 +25,22 @@ const read = new Map<string, Library>()
 
 /// `declared`: the types that the program declares as blocks. Imported functions over a type of the same name are left to GHC.
 export function withImportedNames(
-  base: Environment,
+  base: Library,
   scanned: ScannedDeclarations,
   declared: readonly string[] = [],
 ): Environment {
-  const {imports, values, types, classes, otherClasses, instances, families, overloadedStrings, moduleName} =
-    scanned
+  const {
+    imports,
+    values,
+    types,
+    classes,
+    otherClasses,
+    instances,
+    families,
+    extensions,
+    moduleName,
+    patterns,
+  } = scanned
   const count =
     imports.length +
     values.size +
@@ -37,8 +48,10 @@ export function withImportedNames(
     classes.length +
     otherClasses.length +
     instances.length +
-    families.length
-  if (count === 0 && !overloadedStrings && moduleName === undefined) return base
+    families.length +
+    patterns.length +
+    extensions.size
+  if (count === 0 && moduleName === undefined) return base
   const env = {
     ...base,
     values: new OverlayMap<Scheme>(base.values),
@@ -58,16 +71,20 @@ export function withImportedNames(
     moduleName,
     ownTypes: new Set([...declared, ...types.map(t => t.name)]),
     importedClasses: new Set(otherClasses),
-    overloadedStrings,
+    extensions,
     ranked: new Set(families),
   }
   const isComputed = (scheme: Scheme) => [...typeNamesIn(scheme.type)].some(name => env.ranked.has(name))
-  for (const name of families)
-    env.types.set(name, {parameters: [], constructors: [], own: false, foreign: true})
+  for (const name of families) env.types.set(name, unreadType)
   for (const i of imports) addImport(env, i)
+  if (env.open) leaveOpen(env, base, imports, extensions)
   // A program that names its own module tells its types from the Prelude's.
   for (const name of scanned.ownQualified) env.fixed.delete(name)
   for (const t of types) addType(env, t)
+  for (const {name, labels} of patterns) {
+    env.constructors.set(name, {...unknownConstructor(name), fieldNames: labels})
+    for (const label of labels) env.values.set(label, unknown)
+  }
   for (const [name, scheme] of values)
     env.values.set(name, scheme === undefined || isComputed(scheme) ? unknown : scheme)
   for (const {name, instance} of instances) {
@@ -103,6 +120,9 @@ function addImport(env: MutableEnvironment, i: Import): void {
     // What is asked for by name of module does not give way, what is left out does.
     if (i.module === "Prelude" && !i.qualified) for (const name of i.only ?? env.prelude) env.fixed.add(name)
     for (const name of i.hiding) env.fixed.delete(name)
+    if (i.hiding.has(".."))
+      for (const {constructors} of typesIn(env, i.hiding))
+        for (const name of constructors) env.fixed.delete(name)
     return
   }
   const library = exportsOf(i.module)
@@ -146,13 +166,43 @@ function addImport(env: MutableEnvironment, i: Import): void {
     }
 }
 
+function typesIn(env: MutableEnvironment, names: Iterable<string>): TypeEntry[] {
+  return [...names].flatMap(name => env.types.get(name) ?? [])
+}
+
+/// What a module that is not read may bring instead: names of Rosy, and those of the Prelude that are left out. GHC would not know which of two
+/// names is meant if both were in scope.
+function leaveOpen(
+  env: MutableEnvironment,
+  base: Library,
+  imports: readonly Import[],
+  extensions: ReadonlySet<string>,
+): void {
+  const prelude = imports.filter(i => i.module === "Prelude")
+  const isWithout = prelude.length === 0 && extensions.has("NoImplicitPrelude")
+  const isIn = (name: string) =>
+    base.prelude.has(name) &&
+    !isWithout &&
+    (prelude.length === 0 || prelude.some(i => i.only?.has(name) ?? !i.hiding.has(name)))
+  for (const [name, scheme] of base.values)
+    if (!isIn(name) && env.values.get(name) === scheme) env.values.set(name, unknown)
+  for (const [name, info] of base.constructors)
+    if (!base.prelude.has(name) && env.constructors.get(name) === info)
+      env.constructors.set(name, unknownConstructor(name))
+  for (const [name, entry] of base.types)
+    if (!isIn(name) && env.types.get(name) === entry) env.types.set(name, unreadType)
+}
+
+/// A type of which only the name is known.
+const unreadType: TypeEntry = {parameters: [], constructors: [], own: false, foreign: true, isUnread: true}
+
 function addUnknown(env: MutableEnvironment, name: string, i: Import): void {
   if (!i.qualified) env.hidden.delete(name)
   const names = [`${i.as}.${name}`, ...(i.qualified ? [] : [name])]
   for (const n of names) {
     if (/^(?:.*\.)?[\p{Lu}:]/u.test(n)) {
       if (!env.constructors.has(n)) env.constructors.set(n, unknownConstructor(n))
-      if (!env.types.has(n)) env.types.set(n, {parameters: [], constructors: [], own: false, foreign: true})
+      if (!env.types.has(n)) env.types.set(n, unreadType)
     } else env.values.set(n, unknown)
   }
 }
@@ -168,6 +218,7 @@ function addType(env: MutableEnvironment, t: WrittenType): void {
     constructors: t.constructors.map(c => c.name),
     own: false,
     foreign: true,
+    ...(t.isSynonym === true ? {isUnread: true} : {}),
   })
   const result = app(con(t.name), ...t.parameters.map((p): Type => ({kind: "var", name: p})))
   for (const c of t.constructors) {

@@ -3,7 +3,7 @@
 import type {Constraint, Meta, Type} from "../syntax/type.ts"
 import {app, con, mostLevels, mostNodes, prune, spine, substitute, TypeTooLarge} from "../syntax/type.ts"
 import type {Environment} from "./environment.ts"
-import {expand} from "./environment.ts"
+import {builtInHeads, expand} from "./environment.ts"
 
 export interface Rigid {
   readonly kind: "var"
@@ -13,17 +13,25 @@ export interface Rigid {
   readonly level: number
 }
 
-/// Makes two types equal, or answers the two parts that cannot be.
-export function unify(a: Type, b: Type): {left: Type; right: Type} | undefined {
+/// Two parts of types that are not the same. `isUnread`: one of them has a name whose meaning was not read, so they may be the same all the same.
+export interface Clash {
+  readonly left: Type
+  readonly right: Type
+  readonly isUnread: boolean
+}
+
+/// Makes two types equal, or answers the two parts that are not.
+export function unify(a: Type, b: Type): Clash | undefined {
   return unifyParts(a, b, {nodes: 0})
 }
 
-function unifyParts(a: Type, b: Type, seen: {nodes: number}): {left: Type; right: Type} | undefined {
+function unifyParts(a: Type, b: Type, seen: {nodes: number}): Clash | undefined {
   const l = prune(a)
   const r = prune(b)
   if (l === r) return undefined
-  if (l.kind === "meta") return bind(l, r) ? undefined : {left: l, right: r}
-  if (r.kind === "meta") return bind(r, l) ? undefined : {left: l, right: r}
+  if (l.kind === "meta") return bind(l, r) ? undefined : {left: l, right: r, isUnread: hasUnreadPart(r)}
+  if (r.kind === "meta") return bind(r, l) ? undefined : {left: l, right: r, isUnread: hasUnreadPart(l)}
+  if (mayBeAnything(l, r)) return {left: l, right: r, isUnread: true}
   if (l.kind === "con" && r.kind === "con" && l.name === r.name) return undefined
   if (l.kind === "var" && r.kind === "var" && l.name === r.name && (l as Rigid).id === (r as Rigid).id)
     return undefined
@@ -31,7 +39,32 @@ function unifyParts(a: Type, b: Type, seen: {nodes: number}): {left: Type; right
     if (++seen.nodes > mostNodes) throw new TypeTooLarge()
     return unifyParts(l.fn, r.fn, seen) ?? unifyParts(l.arg, r.arg, seen)
   }
-  return {left: l, right: r}
+  return {left: l, right: r, isUnread: false}
+}
+
+/// Whether one of two types has an unread name as its head that the other has not, with as many arguments.
+function mayBeAnything(left: Type, right: Type): boolean {
+  const [l, r] = [headOf(left), headOf(right)]
+  if (!isUnread(l.head) && !isUnread(r.head)) return false
+  const isSame = l.head.kind === "con" && r.head.kind === "con" && l.head.name === r.head.name
+  return !isSame || l.count !== r.count
+}
+
+function headOf(type: Type): {readonly head: Type; readonly count: number} {
+  let head = prune(type)
+  let count = 0
+  for (; head.kind === "app"; head = prune(head.fn)) count++
+  return {head, count}
+}
+
+function isUnread(type: Type): boolean {
+  return type.kind === "con" && type.isUnread === true
+}
+
+/// Whether a type has a part whose meaning was not read.
+export function hasUnreadPart(type: Type): boolean {
+  const t = prune(type)
+  return isUnread(t) || (t.kind === "app" && (hasUnreadPart(t.fn) || hasUnreadPart(t.arg)))
 }
 
 /// Occurs check, level adjustment and measure in one walk. A rigid variable cannot get into a type from outside its signature.
@@ -151,9 +184,6 @@ function lacksInstance(
   return reduceAll(needed, env, givens, depth).kind === "no"
 }
 
-/// Types with a syntax of their own, which no table lists.
-export const builtInHeads = /^(?:->|\[\]|\(,*\))$/
-
 function reduceAll(
   all: readonly Constraint[],
   env: Environment,
@@ -188,7 +218,7 @@ function reduceEnds(type: Type, env: Environment): Reduced {
   if (head.kind !== "con") return {kind: "stuck", constraints: []}
   const [first, second] = args
   if (head.name === "Done" && first !== undefined)
-    return unify(end, first) === undefined
+    return unify(end, first)?.isUnread !== false
       ? {kind: "stuck", constraints: []}
       : {kind: "no", constraint: {name: "Ends", type}}
   if (head.name === "->" && second !== undefined) return inner([second])
@@ -215,7 +245,8 @@ function applyInstance(
       if (actual === undefined) continue
       if (f.kind === "var") by.set(f.name, actual)
       // An instance for `[Char]` and its like: only that type.
-      else if (prune(actual).kind !== "meta" && !sameType(f, actual)) return {kind: "no", constraint: wanted}
+      else if (prune(actual).kind !== "meta" && !sameType(f, actual) && !hasUnreadPart(actual))
+        return {kind: "no", constraint: wanted}
     }
   }
   const constraints: Constraint[] = []

@@ -13,7 +13,8 @@ export interface Meta {
 
 export type Type =
   | Meta
-  | {readonly kind: "con"; readonly name: string}
+  /// `isUnread`: only GHC knows what the name stands for, which may be any type.
+  | {readonly kind: "con"; readonly name: string; readonly isUnread?: boolean}
   | {readonly kind: "app"; readonly fn: Type; readonly arg: Type}
   /// A variable of a scheme, or one that a signature fixes; `rigid` ones equal only themselves.
   | {readonly kind: "var"; readonly name: string}

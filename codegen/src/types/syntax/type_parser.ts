@@ -125,13 +125,20 @@ function parseConstraint([name, ...rest]: readonly string[]): Constraint[] | und
   return [{name: unqualified(name), type: types.length === 1 ? only : tupleOf(types)}]
 }
 
-/// A type's text in which qualified names differ from types of the program's own: beside an own `Map`, `M.Map` is another type.
-export function withQualifiersApart(text: string, own: ReadonlySet<string> | undefined): string {
-  return own === undefined || own.size === 0
+/// A type's text in which qualified names differ from types of the program's own: beside an own `Map`, `M.Map` is another type. The name of the
+/// program's own module is no such qualifier.
+export function withQualifiersApart(
+  text: string,
+  {ownTypes, moduleName}: {readonly ownTypes?: ReadonlySet<string>; readonly moduleName?: string | undefined},
+): string {
+  return ownTypes === undefined || ownTypes.size === 0
     ? text
     : text.replace(
         /((?:\p{Lu}[\p{L}\p{N}_']*\.)+)(\p{Lu}[\p{L}\p{N}_']*)/gu,
-        (all, qualifier: string, name) => (own.has(name) ? `${name}'${qualifier.replaceAll(".", "'")}` : all),
+        (all, qualifier: string, name) =>
+          ownTypes.has(name) && qualifier !== `${moduleName}.`
+            ? `${name}'${qualifier.replaceAll(".", "'")}`
+            : all,
       )
 }
 
@@ -228,8 +235,19 @@ export function apartFromForall(text: string): {
   return {variables: front[1]?.trim().split(/\s+/) ?? [], type: text.slice(front[0].length)}
 }
 
-/// Whether a type has variables of its own inside, or a name that stands for such a type.
+/// Whether a context stands in brackets, as in `a -> (Show b => b) -> b`.
+function hasInnerContext(tokens: readonly string[]): boolean {
+  let depth = 0
+  return tokens.some(t => {
+    if (t === "(" || t === "[") depth++
+    if (t === ")" || t === "]") depth--
+    return depth > 0 && (t === "=>" || t === "⇒")
+  })
+}
+
+/// Whether a type has variables or constraints of its own inside, or a name that stands for such a type.
 export function isHigherRank(text: string, ranked: ReadonlySet<string> = new Set()): boolean {
   if (/(?<![\p{L}\p{N}_'])forall(?![\p{L}\p{N}_'])|∀/u.test(text)) return true
+  if (/=>|⇒/.test(text) && hasInnerContext(tokensOf(text))) return true
   return ranked.size > 0 && (text.match(/[\p{L}_][\p{L}\p{N}_']*/gu) ?? []).some(name => ranked.has(name))
 }

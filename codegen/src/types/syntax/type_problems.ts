@@ -21,7 +21,13 @@ export type TypeProblem =
   | {readonly kind: "no-method"; readonly node: Node; readonly name: string; readonly of: string}
   /// A type that is said to belong to a class twice.
   | {readonly kind: "second-instance"; readonly node: Node; readonly name: string; readonly of: string}
-  | {readonly kind: "too-many-arguments"; readonly node: Node; readonly type: Type}
+  | {
+      readonly kind: "too-many-arguments"
+      readonly node: Node
+      readonly type: Type
+      /// What gets the arguments is of a type that a signature has a variable for.
+      readonly isOfVariable: boolean
+    }
   | {
       readonly kind: "wrong-field-count"
       readonly node: Node

@@ -29,6 +29,7 @@ export const reasons: Words["reasons"] = {
   puns: "Ein Teil eines Datensatzes wird unter seinem eigenen Namen benutzt. Schreib name = name.",
   parallel: "Eine Liste entsteht aus mehreren Listen nebeneinander.",
   doVariant: "Eine besondere Art von do. Blöcke haben das gewöhnliche.",
+  arrow: "Pfeilschreibweise (proc). Sie bleibt Text.",
   statement: "Für diese Art von Schritt haben Blöcke keine Form.",
   operators: "Es ist nicht klar, welches dieser Rechenzeichen stärker bindet. Setze Klammern.",
   name: "Diesen Namen können Blöcke nicht schreiben.",

@@ -27,6 +27,7 @@ export const reasons = {
   puns: "A part of a record is used under its own name. Write name = name.",
   parallel: "A list is built from several lists side by side.",
   doVariant: "A special kind of do. Blocks have the plain one.",
+  arrow: "Arrow notation (proc). It stays text.",
   statement: "Blocks have no shape for this kind of step.",
   operators: "It is not clear which of these operators binds tighter. Add brackets.",
   name: "Blocks cannot spell this name.",

@@ -29,6 +29,7 @@ export const reasons: Words["reasons"] = {
   puns: "Una parte de un registro se usa con su propio nombre. Escribe name = name.",
   parallel: "Una lista se forma con varias listas en paralelo.",
   doVariant: "Una clase especial de do. Los bloques tienen el normal.",
+  arrow: "Notación de flechas (proc). Se queda como texto.",
   statement: "Los bloques no tienen forma para este tipo de paso.",
   operators: "No está claro cuál de estos operadores une con más fuerza. Pon paréntesis.",
   name: "Los bloques no pueden escribir este nombre.",

@@ -32,6 +32,7 @@ export const reasons: Words["reasons"] = {
   puns: "Une partie d'un enregistrement est utilisée sous son propre nom. Écris nom = nom.",
   parallel: "Une liste est construite à partir de plusieurs listes en parallèle.",
   doVariant: "Un do d'un genre spécial. Les blocs ont le do ordinaire.",
+  arrow: "Notation fléchée (proc). Elle reste du texte.",
   statement: "Aucun bloc n'a la forme de ce genre d'étape.",
   operators: "On ne sait pas lequel de ces opérateurs passe en premier. Ajoute des parenthèses.",
   name: "Les blocs ne peuvent pas écrire ce nom.",

@@ -30,6 +30,7 @@ export const reasons: Words["reasons"] = {
   puns: "Uma parte de um registro é usada com o próprio nome. Escreva name = name.",
   parallel: "Uma lista é montada com várias listas lado a lado.",
   doVariant: "Um do especial. Os blocos têm o comum.",
+  arrow: "Notação de setas (proc). Fica como texto.",
   statement: "Não há blocos para este tipo de passo.",
   operators: "Não está claro qual destes operadores liga mais forte. Ponha parênteses.",
   name: "Os blocos não conseguem escrever este nome.",

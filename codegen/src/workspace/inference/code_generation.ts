@@ -2,7 +2,11 @@
 
 import type {BlockProblem, PrintedProgram, Span} from "../../api.ts"
 import {readWorkspace} from "../../blocks/block_reader.ts"
+import type {Fixity} from "../../haskell/fixity.ts"
+import {importedFixities} from "../../haskell/import_fixities.ts"
 import {printExprAlone, printPatternAlone, printProgram} from "../../haskell/printer.ts"
+import {namesDefinedBy} from "../../model/bound_names.ts"
+import {everyNode} from "../../model/child_nodes.ts"
 import {hasUnknowns} from "../../model/holes.ts"
 import type {Declaration, Program} from "../../model/syntax_tree.ts"
 import type {BlockId, SavedBlock, SavedWorkspace} from "../../serialized_blocks.ts"
@@ -21,12 +25,22 @@ export interface Haskell extends PrintedProgram {
 export function toHaskell(workspace: SavedWorkspace): Haskell {
   const solved = inferWorkspace(workspace)
   const program = withSignatures(solved.read.program, solved)
-  const printed = printProgram(program)
+  const printed = printProgram(program, importedIn(program, solved.read.header ?? ""))
   const declarations = program.declarations.flatMap(d => {
     const span = printed.nodes.get(d)
     return span === undefined ? [] : [{...span, block: d.from?.block}]
   })
   return {text: printed.text, spans: printed.spans, problems: problemsOf(solved), declarations}
+}
+
+/// Fixities of the operators that a program imports and does not define.
+function importedIn(program: Program, header: string): ReadonlyMap<string, Fixity> {
+  if (header === "") return new Map()
+  const own = new Set(program.declarations.flatMap(namesDefinedBy))
+  const used = program.declarations.flatMap(d =>
+    [...everyNode(d)].flatMap(n => ("op" in n && !own.has(n.op) ? [n.op] : [])),
+  )
+  return importedFixities(header, used)
 }
 
 /// A block as Haskell: a definition, steps below each other, or something that stands inside of one.

@@ -223,7 +223,7 @@ export function problemsOf(solved: InferredWorkspace): BlockProblem[] {
   return [
     ...read.problems,
     ...inference.problems.map(problemOf),
-    ...duplicates(read.program.declarations),
+    ...duplicates(read.program.declarations, inference.env),
     ...entry(read),
     ...conflictProblems(solved),
   ]
@@ -270,8 +270,9 @@ function originOf(node: Node): Origin | undefined {
 }
 
 /// Types that are declared twice; definitions of values are inference's to compare.
-function duplicates(declarations: readonly Declaration[]): BlockProblem[] {
+function duplicates(declarations: readonly Declaration[], env: Environment): BlockProblem[] {
   const seen = new Set<string>()
+  const mayShareFields = env.extensions?.has("DuplicateRecordFields") === true
   return declarations.flatMap((d): BlockProblem[] => {
     if (d.kind !== "data" && d.kind !== "synonym") return []
     // Cases of one type may share a part.
@@ -280,7 +281,9 @@ function duplicates(declarations: readonly Declaration[]): BlockProblem[] {
         ? [
             `type ${d.name}`,
             ...d.constructors.map(c => c.name),
-            ...new Set(d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? []))),
+            ...new Set(
+              mayShareFields ? [] : d.constructors.flatMap(c => c.fields.flatMap(f => f.name ?? [])),
+            ),
           ]
         : [`type ${d.name}`]
     const twice = names.filter(n => seen.has(n))
