@@ -38,7 +38,7 @@ export const teaching: TeachingWords = {
       "Test 2, der Wettbewerb, und die Projekte werden gezeigt.",
     ],
     after: projects =>
-      `**Wenn die Zeit knapp ist:** Lass in den Wochen 8 und 11 die dritte Lektion weg. **Wenn eine Klasse schnell ist:** Beginne mit den [Projekten](${projects}) in Woche 5. Eine Lektion, die nicht fertig wurde, öffnet sich beim nächsten Mal am selben Schritt.`,
+      `**Wenn die Zeit knapp ist:** Lass in den Wochen 6, 8, 9 und 11 die dritte Lektion weg. **Wenn eine Klasse schnell ist:** Beginne mit den [Projekten](${projects}) in Woche 5. Eine Lektion, die nicht fertig wurde, öffnet sich beim nächsten Mal am selben Schritt.`,
   },
   curricula: {
     title: "Was Schulen unterrichten müssen",
@@ -162,6 +162,15 @@ export const teaching: TeachingWords = {
         "Welche Geräte bei dir zu Hause halten an, wenn man sie öffnet?",
       ],
     },
+    "wire-a-reflex": {
+      often:
+        "Vom zweiten Draht zum selben Aktor wird erwartet, dass er gewinnt. Beide senden; etwas muss sagen, wer vorgeht.",
+      ask: [
+        "Welche Sensoren erreichen die Räder?",
+        "Was steht im Diagramm, und was nur in der Funktion?",
+        "Wo würde ein dritter Draht zu `Velocity` beginnen, und wer soll dann vorgehen?",
+      ],
+    },
     "stop-before-the-wall": {
       often:
         "Der freie Weg nach vorn wird mit dem gefahrenen Weg verwechselt. Der eine wird kleiner, der andere größer.",
@@ -203,6 +212,15 @@ export const teaching: TeachingWords = {
         "Was wird gemerkt: ein Zeitpunkt oder eine Dauer?",
         "Was geschieht bei einem Stoß in dieser Sekunde?",
         "Wie wird eine halbe Sekunde daraus?",
+      ],
+    },
+    "three-states": {
+      often:
+        "Der Zustand wird in einer Funktion gesucht. Er steht in der Erinnerung; Funktionen lesen und schreiben sie.",
+      ask: [
+        "Welcher Pfeil fehlt der Maschine?",
+        "Zeichne die drei Zustände als Kreise: Welcher Sensor steht an welchem Pfeil?",
+        "Was tut die Taste in `Go`?",
       ],
     },
     "my-own-event": {

@@ -35,7 +35,7 @@ export const teaching = {
       "Test 2, the competition, and the projects are shown.",
     ],
     after: (projects: string) =>
-      `**If time is short:** leave out the third lesson of weeks 8 and 11. **If a class is fast:** begin the [projects](${projects}) in week 5. A lesson that was not finished is opened at the same step next time.`,
+      `**If time is short:** leave out the third lesson of weeks 6, 8, 9 and 11. **If a class is fast:** begin the [projects](${projects}) in week 5. A lesson that was not finished is opened at the same step next time.`,
   },
   curricula: {
     title: "What schools must teach",
@@ -146,6 +146,15 @@ export const teaching = {
         "Which machines at home stop when they are opened?",
       ],
     },
+    "wire-a-reflex": {
+      often:
+        "A second wire to the same actuator is expected to win. Both send; something must say which goes first.",
+      ask: [
+        "Which sensors reach the wheels?",
+        "What is in the diagram, and what only in the function?",
+        "Where would a third wire to `Velocity` start, and who should go first then?",
+      ],
+    },
     "stop-before-the-wall": {
       often: "The distance ahead is mixed up with the way driven. One gets smaller, the other larger.",
       ask: [
@@ -185,6 +194,14 @@ export const teaching = {
         "What is remembered: a time or a duration?",
         "What happens at a bump during that second?",
         "How would you make it half a second?",
+      ],
+    },
+    "three-states": {
+      often: "The state is looked for in a function. It is in the memory; functions read it and write it.",
+      ask: [
+        "Which arrow is missing in the machine?",
+        "Draw the three states as circles: which sensor is at which arrow?",
+        "What does the button do in `Go`?",
       ],
     },
     "my-own-event": {

@@ -38,7 +38,7 @@ export const teaching: TeachingWords = {
       "Prueba 2, el concurso, y se enseñan los proyectos.",
     ],
     after: projects =>
-      `**Si falta tiempo:** deja fuera la tercera lección de las semanas 8 y 11. **Si la clase va rápido:** empieza los [proyectos](${projects}) en la semana 5. Una lección sin terminar se abre la próxima vez en el mismo paso.`,
+      `**Si falta tiempo:** deja fuera la tercera lección de las semanas 6, 8, 9 y 11. **Si la clase va rápido:** empieza los [proyectos](${projects}) en la semana 5. Una lección sin terminar se abre la próxima vez en el mismo paso.`,
   },
   curricula: {
     title: "Lo que la escuela debe enseñar",
@@ -150,6 +150,15 @@ export const teaching: TeachingWords = {
         "¿Qué máquinas de tu casa se paran cuando se abren?",
       ],
     },
+    "wire-a-reflex": {
+      often:
+        "Se espera que gane el segundo cable al mismo actuador. Los dos envían; algo debe decir cuál va primero.",
+      ask: [
+        "¿Qué sensores llegan a las ruedas?",
+        "¿Qué está en el diagrama, y qué solo en la función?",
+        "¿Dónde empezaría un tercer cable a `Velocity`, y quién debería ir primero entonces?",
+      ],
+    },
     "stop-before-the-wall": {
       often:
         "Se confunde la distancia libre delante con el camino recorrido. Una disminuye y el otro aumenta.",
@@ -186,6 +195,14 @@ export const teaching: TeachingWords = {
         "¿Qué se recuerda: una hora o una duración?",
         "¿Qué pasa con un choque durante ese segundo?",
         "¿Cómo lo harías de medio segundo?",
+      ],
+    },
+    "three-states": {
+      often: "El estado se busca en una función. Está en la memoria; las funciones la leen y la escriben.",
+      ask: [
+        "¿Qué flecha le falta a la máquina?",
+        "Dibuja los tres estados como círculos: ¿qué sensor está en qué flecha?",
+        "¿Qué hace el botón en `Go`?",
       ],
     },
     "my-own-event": {

@@ -38,7 +38,7 @@ export const teaching: TeachingWords = {
       "Test 2, le concours, et les projets sont montrés.",
     ],
     after: projects =>
-      `**Si le temps manque :** laisser la troisième leçon des semaines 8 et 11. **Si une classe est rapide :** commencer les [projets](${projects}) en semaine 5. Une leçon qui n’est pas finie s’ouvre la fois suivante à la même étape.`,
+      `**Si le temps manque :** laisser la troisième leçon des semaines 6, 8, 9 et 11. **Si une classe est rapide :** commencer les [projets](${projects}) en semaine 5. Une leçon qui n’est pas finie s’ouvre la fois suivante à la même étape.`,
   },
   curricula: {
     title: "Ce que l’école doit enseigner",
@@ -158,6 +158,15 @@ export const teaching: TeachingWords = {
         "Quels appareils de la maison s’arrêtent quand on les ouvre ?",
       ],
     },
+    "wire-a-reflex": {
+      often:
+        "On s’attend à ce que le deuxième fil vers le même actionneur gagne. Les deux envoient ; il faut dire lequel passe d’abord.",
+      ask: [
+        "Quels capteurs arrivent aux roues ?",
+        "Qu’est-ce qui est dans le schéma, et qu’est-ce qui n’est que dans la fonction ?",
+        "D’où partirait un troisième fil vers `Velocity`, et qui devrait alors passer d’abord ?",
+      ],
+    },
     "stop-before-the-wall": {
       often:
         "La distance libre devant est confondue avec le chemin parcouru. L’une diminue, l’autre augmente.",
@@ -200,6 +209,15 @@ export const teaching: TeachingWords = {
         "Que retient-on : une heure ou une durée ?",
         "Que fait un choc pendant cette seconde ?",
         "Comment en faire une demi-seconde ?",
+      ],
+    },
+    "three-states": {
+      often:
+        "L’état est cherché dans une fonction. Il est dans la mémoire ; les fonctions la lisent et l’écrivent.",
+      ask: [
+        "Quelle flèche manque à la machine ?",
+        "Dessine les trois états comme des cercles : quel capteur est à quelle flèche ?",
+        "Que fait le bouton dans `Go` ?",
       ],
     },
     "my-own-event": {

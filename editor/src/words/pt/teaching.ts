@@ -37,7 +37,7 @@ export const teaching: TeachingWords = {
       "Prova 2, o concurso, e os projetos são mostrados.",
     ],
     after: projects =>
-      `**Se o tempo for curto:** deixe de fora a terceira lição das semanas 8 e 11. **Se a turma for rápida:** comece os [projetos](${projects}) na semana 5. Uma lição que não terminou se abre da próxima vez no mesmo passo.`,
+      `**Se o tempo for curto:** deixe de fora a terceira lição das semanas 6, 8, 9 e 11. **Se a turma for rápida:** comece os [projetos](${projects}) na semana 5. Uma lição que não terminou se abre da próxima vez no mesmo passo.`,
   },
   curricula: {
     title: "O que a escola deve ensinar",
@@ -149,6 +149,15 @@ export const teaching: TeachingWords = {
         "Que máquinas da sua casa param quando são abertas?",
       ],
     },
+    "wire-a-reflex": {
+      often:
+        "Espera-se que o segundo fio ao mesmo atuador ganhe. Os dois enviam; algo precisa dizer qual vai primeiro.",
+      ask: [
+        "Quais sensores chegam às rodas?",
+        "O que está no diagrama, e o que só na função?",
+        "Onde começaria um terceiro fio para `Velocity`, e quem deveria ir primeiro então?",
+      ],
+    },
     "stop-before-the-wall": {
       often: "A distância livre à frente é confundida com o caminho andado. Uma diminui, o outro aumenta.",
       ask: [
@@ -185,6 +194,14 @@ export const teaching: TeachingWords = {
         "O que é lembrado: uma hora ou uma duração?",
         "O que faz uma batida durante esse segundo?",
         "Como fazer meio segundo?",
+      ],
+    },
+    "three-states": {
+      often: "O estado é procurado em uma função. Ele está na memória; as funções leem e escrevem nela.",
+      ask: [
+        "Que seta falta à máquina?",
+        "Desenhe os três estados como círculos: que sensor está em que seta?",
+        "O que faz o botão em `Go`?",
       ],
     },
     "my-own-event": {
