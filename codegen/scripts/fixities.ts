@@ -19,7 +19,9 @@ interface Interface {
 }
 
 // The primitive functions of GHC have no interface file.
-const all = new Map<string, Interface>([["GHC.Prim", {exports: [], fixities: new Map([["seq", "infixr 0"]])}]])
+const all = new Map<string, Interface>([
+  ["GHC.Prim", {exports: [], fixities: new Map([["seq", "infixr 0"]])}],
+])
 const exposed: string[] = []
 for (const name of packages) {
   const folder = fieldOf(name, "import-dirs")

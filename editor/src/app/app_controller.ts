@@ -7,10 +7,10 @@ import {createStore, type Store} from "../browser/store.ts"
 import type {PageOfClass} from "../classroom/pupil/page_of_class.ts"
 import {openClassMode} from "../controller/class_mode.ts"
 import {openDemonstration} from "../controller/demonstration.ts"
-import {openColourScheme} from "../controller/document/colour_scheme.ts"
+import {type ColourScheme, openColourScheme} from "../controller/document/colour_scheme.ts"
 import {openCompletions} from "../controller/document/completion_requests.ts"
 import {documentCommands} from "../controller/document/document_commands.ts"
-import {openDocumentEditor} from "../controller/document/document_editor.ts"
+import {type DocumentEditor, openDocumentEditor} from "../controller/document/document_editor.ts"
 import {noParts, type PageParts} from "../controller/document/page_parts.ts"
 import {lessonEditorCommands, resumeDraft, storeDrafts} from "../controller/lessons/lesson_writing.ts"
 import {
@@ -61,12 +61,7 @@ export function openController(): AppController {
   const commands = documentCommands(store, parts, editor)
   const colours = openColourScheme(store, parts)
 
-  store.onFrame(editor.showBlocks)
-  store.onFrame(
-    openViewUpdates(parts, editor.typing.waits, store.redraw, colours.apply, programStore.setPreferences),
-  )
-  store.onFrame(state => state.worldEditor !== null && parts.worldEditor?.draw(state.worldEditor))
-
+  updateViews(store, parts, editor, colours, programStore)
   const diagram = openDiagramMount(store, parts, editor)
   store.onFrame(diagram.update)
 
@@ -87,10 +82,7 @@ export function openController(): AppController {
     openExample: name => void requests.openExample(name),
     ...myProgramCommands(store, loader, programStore),
     newProgram: loader.newProgram,
-    demonstrate: openDemonstration(store, {
-      show: text => loader.openText(`${words.welcome.demonstration}.hs`, text),
-      run: () => runProgram(store, editor),
-    }),
+    demonstrate: demonstrationIn(store, loader, editor),
     openFile: files.openFile,
     openText: loader.openFile,
     openRecording: files.openRecording,
@@ -134,6 +126,28 @@ export function openController(): AppController {
     if (isBoardGuest()) loadBoardGuest(page)
   })
   return controller
+}
+
+/// Brings the views up to date in each frame.
+function updateViews(
+  store: Store,
+  parts: PageParts,
+  editor: DocumentEditor,
+  colours: ColourScheme,
+  programStore: ProgramStore,
+): void {
+  store.onFrame(editor.showBlocks)
+  store.onFrame(
+    openViewUpdates(parts, editor.typing.waits, store.redraw, colours.apply, programStore.setPreferences),
+  )
+  store.onFrame(state => state.worldEditor !== null && parts.worldEditor?.draw(state.worldEditor))
+}
+
+function demonstrationIn(store: Store, loader: ProgramLoader, editor: DocumentEditor): () => void {
+  return openDemonstration(store, {
+    show: text => loader.openText(`${words.welcome.demonstration}.hs`, text),
+    run: () => runProgram(store, editor),
+  })
 }
 
 /// Loads class mode. A page in another site takes no part in a class.

@@ -32,17 +32,8 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return {message: w.olderEncoding.message(notice), hint: w.olderEncoding.hint}
     case "empty-file":
       return {message: w.emptyFile.message(notice.name), hint: w.emptyFile.hint}
-    case "confusable": {
-      const {name, found} = notice
-      const [first] = found
-      const {id, arguments: given} = first.name
-      const english = Object.entries(given).reduce(
-        (text, [key, value]) => text.replace(`{${key}}`, value),
-        id,
-      )
-      const shown = {...first, name: worded(first.name, english)}
-      return {message: w.confusable.message(name, found.length, shown), hint: w.confusable.hint}
-    }
+    case "confusable":
+      return confusableText(notice)
     case "several-programs":
       return {
         message: w.severalPrograms.message(notice.name, notice.programs.length),
@@ -112,6 +103,15 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
     case "damaged-link":
       return w.damagedLink
   }
+}
+
+function confusableText({name, found}: Extract<Notice, {kind: "confusable"}>) {
+  const w = words.notices.confusable
+  const [first] = found
+  const {id, arguments: given} = first.name
+  const english = Object.entries(given).reduce((text, [key, value]) => text.replace(`{${key}}`, value), id)
+  const shown = {...first, name: worded(first.name, english)}
+  return {message: w.message(name, found.length, shown), hint: w.hint}
 }
 
 /// What a charted quantity is called; one that the program brings is its own name.

@@ -10,7 +10,7 @@ import {addressFragment, exampleInAddress, setExampleInAddress} from "../../brow
 import {noticeOf} from "../../browser/local_files.ts"
 import type {Store} from "../../browser/store.ts"
 import {type Document, emptyHistory, type History} from "../../program/history.ts"
-import {awaitsProgram, type Notice} from "../../state/page_state.ts"
+import {awaitsProgram, type Notice, type ReplacedRoom} from "../../state/page_state.ts"
 import type {ProgramStore} from "../../storage/program_store.ts"
 import type {ReadingPosition} from "../../storage/stored_values.ts"
 import {offerRepair} from "../document/character_repair.ts"
@@ -117,38 +117,17 @@ export function openProgramLoader(
       return true
     },
   })
-  const show = (
-    opened: OpenedProject,
-    {
-      welcome = false,
-      isFirstVisit = false,
-      id = null,
-      reloaded = false,
-      inLesson = false,
-      isFirst = false,
-    }: Origin,
-  ) => {
+  const show = (opened: OpenedProject, origin: Origin) => {
+    const {id = null, reloaded = false, inLesson = false} = origin
     for (const heard of openings) heard()
     // A program that the learner chose and that is still being loaded is opened after the page's own first one.
-    if (!isFirst) requests.choose()
+    if (origin.isFirst !== true) requests.choose()
     autosave.opened(id, reloaded)
     setExampleInAddress(null)
     editor.typing.forget()
     project = opened.project
-    const {document, world, isNew} = opened
-    const opening = {
-      name: project.name,
-      world,
-      document,
-      history: reloaded ? storedHistory(parts, stored, document) : emptyHistory,
-      welcome,
-      isFirstVisit,
-      isNew,
-      inLesson,
-      isFirst,
-      replacedRoom: roomOf(id),
-    }
-    store.dispatch({kind: "opened", opened: opening})
+    const history = reloaded ? storedHistory(parts, stored, opened.document) : emptyHistory
+    store.dispatch({kind: "opened", opened: openingOf(opened, origin, history, roomOf(id))})
     editor.showText()
     allowEditing(parts)
     if (!reloaded || !restoreReadingPosition(store, parts, stored, editor)) {
@@ -185,6 +164,17 @@ export function openProgramLoader(
     textEdited: autosave.edited,
     allowEditing: () => allowEditing(parts),
   }
+}
+
+/// A program as the page takes it up.
+function openingOf(
+  {project, world, document, isNew}: OpenedProject,
+  {welcome = false, isFirstVisit = false, inLesson = false, isFirst = false}: Origin,
+  history: History,
+  replacedRoom: ReplacedRoom | null,
+) {
+  const {name} = project
+  return {name, world, document, history, welcome, isFirstVisit, isNew, inLesson, isFirst, replacedRoom}
 }
 
 /// Opens programs and rooms from the learner's disk.
