@@ -288,6 +288,7 @@ OTHER_LISTS = {
     "sim-service/rosy_sim/run/steps/velocity_guard.py": "the safety rules are about contact and holes (rule R24)",
     "rosy-hs/worker/Rosy/Worker/Explanation/TextualMistakes/Numbers.hs": "units behind the numbers of drive, turn and wait",
     "rosy-hs/worker/Rosy/Worker/Explanation/MissingInstances.hs": "types with numbers inside, which a pattern takes out",
+    "rosy-hs/worker/Rosy/Worker/Explanation/ArgumentCounts.hs": "types with numbers inside, whose patterns stand in brackets",
 }
 """Lists that are not about a role, each with what it is about."""
 
