@@ -1,6 +1,7 @@
 /// Drawer of the toolbox: Blockly's flyout, narrower than the block view. The place that is to be filled stays in sight beside it.
 
 import * as Blockly from "blockly/core"
+import {moveToFreePlace} from "../dragging/placement.ts"
 import {chosenNode} from "./insertion_points.ts"
 
 /// Size of blocks in the drawer beside those of the program: words of 14 pixels are 12 there.
@@ -12,6 +13,9 @@ const leastShare = 0.62
 
 /// Pixels between the drawer and the place that is to be filled.
 const beside = 18
+
+/// Pixels by which the workspace moves without being scrolled, when what is in it changes.
+const still = 8
 
 class Drawer extends Blockly.VerticalFlyout {
   /// How far the blocks were scrolled for the drawer, and where they were scrolled to by that.
@@ -40,15 +44,24 @@ class Drawer extends Blockly.VerticalFlyout {
 
   override hide(): void {
     super.hide()
-    const {moved} = this
+    const {moved, targetWorkspace: workspace} = this
     this.moved = undefined
-    // If the learner has scrolled since then, the blocks stay where they are.
-    if (
-      moved !== undefined &&
-      this.targetWorkspace.scrollX === moved.to &&
-      !this.targetWorkspace.isDragging()
-    )
-      this.targetWorkspace.scroll(moved.to - moved.by, this.targetWorkspace.scrollY)
+    if (moved === undefined) return
+    const goBack = () => {
+      // If the learner has scrolled since then, the blocks stay where they are.
+      if (Math.abs(workspace.scrollX - moved.to) <= still)
+        workspace.scroll(workspace.scrollX - moved.by, workspace.scrollY)
+    }
+    if (!workspace.isDragging()) return goBack()
+    // The drawer closes when a block is dragged out of it: what is under the pointer stays there until it is dropped.
+    const onDrop = (event: Blockly.Events.Abstract) => {
+      if (!(event instanceof Blockly.Events.BlockDrag) || event.isStart === true) return
+      workspace.removeChangeListener(onDrop)
+      goBack()
+      const dropped = event.blockId === undefined ? null : workspace.getBlockById(event.blockId)
+      if (dropped !== null) moveToFreePlace(dropped, true)
+    }
+    workspace.addChangeListener(onDrop)
   }
 
   /// Scrolls the place that is to be filled out from behind the drawer.
