@@ -52,7 +52,10 @@ class Drawer extends Blockly.VerticalFlyout {
       if (Math.abs(workspace.scrollX - moved.to) <= still)
         workspace.scroll(workspace.scrollX - moved.by, workspace.scrollY)
     }
-    if (!workspace.isDragging()) return goBack()
+    if (!workspace.isDragging()) {
+      goBack()
+      return
+    }
     // The drawer closes when a block is dragged out of it: what is under the pointer stays there until it is dropped.
     const onDrop = (event: Blockly.Events.Abstract) => {
       if (!(event instanceof Blockly.Events.BlockDrag) || event.isStart === true) return
