@@ -35,7 +35,7 @@ import {watchKeys, watchPrinting, watchWindow} from "../controller/window_events
 import {openNumberDragging} from "../features/preview/number_dragging.ts"
 import {openRoomTests} from "../jobs/room_tests.ts"
 import {firstArrangement, withView} from "../state/arrangement.ts"
-import type {PageState} from "../state/page_state.ts"
+import {awaitsProgram, type PageState} from "../state/page_state.ts"
 import {noRobots} from "../state/robots.ts"
 import {openBrowserStorage, storageInMemory} from "../storage/browser_storage.ts"
 import {openProgramStore, type ProgramStore} from "../storage/program_store.ts"
@@ -141,6 +141,8 @@ function updateViews(
     openViewUpdates(parts, editor.typing.waits, store.redraw, colours.apply, programStore.setPreferences),
   )
   store.onFrame(state => state.worldEditor !== null && parts.worldEditor?.draw(state.worldEditor))
+  // The question how to begin is asked until something was begun.
+  store.onFrame(state => state.welcoming || awaitsProgram(state) || programStore.setVisited())
 }
 
 function demonstrationIn(store: Store, loader: ProgramLoader, editor: DocumentEditor): () => void {

@@ -85,7 +85,7 @@ export function programRequests(
     if (last !== null)
       loader.openText(words.yourProgram, last.text, {id: last.id, reloaded: true, isFirst: true})
     else {
-      const origin = {welcome: true, isFirstVisit: true, reloaded: true, isFirst: true}
+      const origin = {welcome: true, isFirstVisit: stored.isFirstVisit(), reloaded: true, isFirst: true}
       await openExample(firstExample, {...origin, inAddress: false})
     }
   }

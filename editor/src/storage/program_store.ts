@@ -24,6 +24,7 @@ const levelKey = "rosy.level"
 const stepsKey = "rosy.steps"
 const leftKey = "rosy.left"
 const placeKey = "rosy.place"
+const visitedKey = "rosy.visited"
 const programKey = (id: string) => `rosy.program.${id}`
 const pictureKey = (id: string) => `rosy.picture.${id}`
 const roomKey = (id: string) => `rosy.room.${id}`
@@ -76,6 +77,9 @@ interface PreferenceStore {
   setLevel(level: Level): void
   preferences(): Preferences
   setPreferences(liking: Preferences): void
+  /// Whether nobody has begun anything in this browser yet.
+  isFirstVisit(): boolean
+  setVisited(): void
 }
 
 /// `storage` is what all tabs share, `tab` what only this one remembers, over a reload. `madeWay` gets the names of the deleted
@@ -244,6 +248,10 @@ function storedPreferences(storage: Storage): PreferenceStore {
     },
     setPreferences(now) {
       tryToStore(storage, likingKey, JSON.stringify(now))
+    },
+    isFirstVisit: () => [visitedKey, indexKey].every(key => readText(storage, key) === null),
+    setVisited() {
+      if (readText(storage, visitedKey) === null) tryToStore(storage, visitedKey, "yes")
     },
   }
 }

@@ -34,6 +34,21 @@ describe("the program that is there after a reload", () => {
   })
 })
 
+describe("a first visit", () => {
+  it("lasts until something was begun, in whatever tab", () => {
+    const shared = storage()
+    expect(openProgramStore(shared, storage()).isFirstVisit()).toBe(true)
+    openProgramStore(shared, storage()).setVisited()
+    expect(openProgramStore(shared, storage()).isFirstVisit()).toBe(false)
+  })
+
+  it("is none where a program is stored, also one of an older version", () => {
+    const shelf = openProgramStore(storage(), storage())
+    shelf.save("mine", "walk", "move = 1", 1)
+    expect(shelf.isFirstVisit()).toBe(false)
+  })
+})
+
 describe("deleted programs", () => {
   it("leave the list, are not opened after a reload, and can be restored", () => {
     const shared = storage()
