@@ -44,6 +44,7 @@ function page(last: string | null) {
   const stored = {
     setLeft() {},
     left: () => null,
+    isFirstVisit: () => last === null,
     current: () => (last === null ? null : {id: "1", text: last}),
   } as unknown as ProgramStore
   return {opened, notices, parts, ...programRequests(store, parts, loader, stored)}
