@@ -50,7 +50,7 @@ test("a damaged link gives one sentence, and the page works", async ({page}) => 
   await expect(page.getByTestId("notice")).toHaveText(
     "This link is damaged. Copy the whole link and open it again.",
   )
-  await expect(learner.haskell()).toContainText("play :: Bumper -> Maybe Sound")
+  await expect(learner.haskell()).toContainText("main = simulate accelerate")
   // The whole link, pasted into the address bar of the open page.
   await page.goto(link)
   await expect(page.getByTestId("notice")).toHaveCount(0)

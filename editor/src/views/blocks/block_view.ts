@@ -27,7 +27,7 @@ import {syncClipboard} from "./interaction/clipboard.ts"
 import {chooseNextPlace} from "./interaction/filling_keys.ts"
 import {insertByClick, restoreFocus, selectSocketByClick} from "./interaction/focus.ts"
 import {selectedBlock, selectedPlaces} from "./interaction/insertion_points.ts"
-import {focusSearch, offerBlocks, toolboxInfo} from "./interaction/toolbox.ts"
+import {focusSearch, forgetSearch, offerBlocks, toolboxInfo} from "./interaction/toolbox.ts"
 import {connectToolbox, type ToolboxActions} from "./interaction/toolbox_context.ts"
 import {blocklyTheme, openView, register} from "./registration.ts"
 import {viewActions, workspaceHistory} from "./view_actions.ts"
@@ -97,6 +97,10 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
     restrict: toolbox.restrict,
     ...workspaceHistory(workspace),
     ...camera,
+    goToStart(inLesson) {
+      forgetSearch(workspace)
+      camera.goToStart(inLesson)
+    },
     makeAll: deferred.makeAll,
     focusSearch: () => focusSearch(workspace),
     dispose() {

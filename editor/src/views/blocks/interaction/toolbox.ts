@@ -285,6 +285,11 @@ class Search extends Blockly.ToolboxCategory {
     return {found, near, fitsHere: suggested !== undefined}
   }
 
+  /// Another program is open: what was searched for the one before is of no use.
+  forget(): void {
+    if (this.field !== undefined) this.field.value = ""
+  }
+
   private match(): void {
     const query = this.field?.value.trim() ?? ""
     const {found, near, fitsHere} = this.find(query)
@@ -346,6 +351,11 @@ export function focusSearch(workspace: Blockly.WorkspaceSvg): void {
 /// Puts the cursor into the search field, which offers what fits the chosen place.
 export function offerBlocks(workspace: Blockly.WorkspaceSvg, withKeys = true): void {
   searchOf(workspace)?.offer(withKeys)
+}
+
+/// Empties the search field.
+export function forgetSearch(workspace: Blockly.WorkspaceSvg): void {
+  searchOf(workspace)?.forget()
 }
 
 function searchOf(workspace: Blockly.WorkspaceSvg): Search | undefined {
