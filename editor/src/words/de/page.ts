@@ -75,7 +75,7 @@ export const page: Omit<
   },
   led: n => `LED ${n}`,
   speed: "Tempo",
-  fastest: "so schnell es geht",
+  fastest: "max.",
   examples: "Beispiele",
   undo: "Rückgängig",
   redo: "Wiederholen",

@@ -66,7 +66,7 @@ export const page = {
   },
   led: (n: number) => `LED ${n}`,
   speed: "Speed",
-  fastest: "fastest",
+  fastest: "max",
   examples: "Examples",
   undo: "Undo",
   redo: "Redo",

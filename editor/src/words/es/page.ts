@@ -75,7 +75,7 @@ export const page: Omit<
   },
   led: n => `LED ${n}`,
   speed: "Velocidad",
-  fastest: "al máximo",
+  fastest: "máx.",
   examples: "Ejemplos",
   undo: "Deshacer",
   redo: "Rehacer",

@@ -75,7 +75,7 @@ export const page: Omit<
   },
   led: n => `LED ${n}`,
   speed: "Vitesse",
-  fastest: "le plus vite",
+  fastest: "max.",
   examples: "Exemples",
   undo: "Annuler",
   redo: "Rétablir",

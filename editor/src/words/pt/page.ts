@@ -75,7 +75,7 @@ export const page: Omit<
   },
   led: n => `LED ${n}`,
   speed: "Velocidade",
-  fastest: "o mais rápido",
+  fastest: "máx.",
   examples: "Exemplos",
   undo: "Desfazer",
   redo: "Refazer",
