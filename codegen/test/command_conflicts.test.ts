@@ -215,7 +215,7 @@ const peaceful = [
   "steer hum shout",
 ] as const
 
-/// A function of a state runs with each odometry message, a constant at each tick, whatever the state is (rules R2 and R3).
+/// A function of a state runs with each odometry message, a constant at each tick; which state it is makes no difference (rules R2 and R3).
 test.each([...states])("a function of %s keeps winning over a constant", state => {
   const text = `drive :: Velocity\ndrive = Velocity 0.2 0\n\nsteady :: ${state} -> Velocity\nsteady _ = Velocity 0.1 0`
   for (const pair of ["(drive, steady)", "(steady, drive)"])

@@ -43,9 +43,9 @@ if (host === null) throw new Error("expected #page in index.html, found nothing"
 const start = () => {
   // The sign of what is coming (index.html) has done its work.
   host.replaceChildren()
-  const desk = openController()
+  const controller = openController()
   render(
-    <ControllerContext.Provider value={desk}>
+    <ControllerContext.Provider value={controller}>
       <App />
     </ControllerContext.Provider>,
     host,

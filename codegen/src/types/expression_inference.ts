@@ -128,7 +128,7 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       checkExpression(s, e.body, type, inferGroup(s, e.declarations, scope, false))
       return
     case "do": {
-      // A `do` of one step is that step, whatever its type.
+      // A `do` with one statement has the type of that statement; GHC requires no monad.
       const [only, ...more] = e.statements
       if (only?.kind === "statement" && more.length === 0) checkExpression(s, only.expr, type, scope)
       else inferStatements(s, e.statements, type, scope)

@@ -140,11 +140,11 @@ interface Placed {
 }
 
 function BlocksRegion({shown, style}: Placed): VNode {
-  const desk = useController()
+  const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   useLayoutEffect(() => {
-    if (host.current !== null) desk.mountBlocks(host.current)
-  }, [desk])
+    if (host.current !== null) controller.mountBlocks(host.current)
+  }, [controller])
   return (
     <section class="region blocks" aria-label={words.blocksPane} hidden={!shown} style={style}>
       <RegionHeader region="blocks" />
@@ -154,11 +154,11 @@ function BlocksRegion({shown, style}: Placed): VNode {
 }
 
 function SourceRegion({shown, style}: Placed): VNode {
-  const desk = useController()
+  const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   useLayoutEffect(() => {
-    if (host.current !== null) desk.mountSource(host.current)
-  }, [desk])
+    if (host.current !== null) controller.mountSource(host.current)
+  }, [controller])
   return (
     <section class="region haskell" aria-label={words.haskellPane} hidden={!shown} style={style}>
       <RegionHeader region="haskell" />

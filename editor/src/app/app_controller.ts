@@ -111,7 +111,7 @@ export function openController(): AppController {
     loader,
     editor,
     parts,
-    shelf: programStore,
+    programStore,
     storage,
     code: classCode,
     reveal: controller.showFinding,
@@ -141,8 +141,17 @@ function updateViews(
     openViewUpdates(parts, editor.typing.waits, store.redraw, colours.apply, programStore.setPreferences),
   )
   store.onFrame(state => state.worldEditor !== null && parts.worldEditor?.draw(state.worldEditor))
-  // The question how to begin is asked until something was begun.
-  store.onFrame(state => state.welcoming || awaitsProgram(state) || programStore.setVisited())
+  noteVisit(store, programStore)
+}
+
+/// The question how to begin is asked until something was begun.
+function noteVisit(store: Store, programStore: ProgramStore): void {
+  let isNoted = false
+  store.onFrame(state => {
+    if (isNoted || state.welcoming || awaitsProgram(state)) return
+    isNoted = true
+    programStore.setVisited()
+  })
 }
 
 function demonstrationIn(store: Store, loader: ProgramLoader, editor: DocumentEditor): () => void {

@@ -35,26 +35,26 @@ export function openDemonstration(
 ): () => void {
   let timer: ReturnType<typeof setTimeout> | undefined
   /// What the page had when the last step was shown.
-  let left = {text: "", runs: 0}
-  const say = (step: number | null) => store.dispatch({kind: "demonstration", step})
+  let expected = {text: "", runs: 0}
+  const announce = (step: number | null) => store.dispatch({kind: "demonstration", step})
   const end = () => {
     clearTimeout(timer)
-    say(null)
+    announce(null)
     store.dispatch({kind: "welcoming", welcoming: true})
   }
   const now = () => ({text: store.now.document.program.text, runs: store.now.runs})
   const isTakenOver = () => {
     const {text, runs} = now()
-    return text !== left.text || runs !== left.runs
+    return text !== expected.text || runs !== expected.runs
   }
   const show = (number: number) => {
-    if (number > 0 && isTakenOver()) return say(null)
+    if (number > 0 && isTakenOver()) return announce(null)
     const step = steps[number]
     if (step === undefined) return end()
     if (store.now.document.program.text !== step.text) page.show(step.text)
-    say(number)
+    announce(number)
     if (step.runs) page.run()
-    left = now()
+    expected = now()
     timer = setTimeout(() => show(number + 1), step.lasts)
   }
   return () => {

@@ -77,7 +77,7 @@ interface PreferenceStore {
   setLevel(level: Level): void
   preferences(): Preferences
   setPreferences(liking: Preferences): void
-  /// Whether nobody has begun anything in this browser yet.
+  /// Whether no program has been opened or stored in this browser before.
   isFirstVisit(): boolean
   setVisited(): void
 }

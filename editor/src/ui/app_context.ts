@@ -119,9 +119,9 @@ export interface AppController {
 export const ControllerContext = createContext<AppController | null>(null)
 
 export function useController(): AppController {
-  const desk = useContext(ControllerContext)
-  if (desk === null) throw new Error("expected a panel inside the page, found none")
-  return desk
+  const controller = useContext(ControllerContext)
+  if (controller === null) throw new Error("expected a panel inside the page, found none")
+  return controller
 }
 
 export function usePageState<T>(choose: (state: PageState) => T): T {

@@ -2,7 +2,7 @@
 
 import fc from "fast-check"
 import {expect, test} from "vitest"
-import {type Box, moveIntoView, nearestFreePlace} from "../../src/views/blocks/dragging/free_place.ts"
+import {type Box, nearestFreePlace, shiftIntoView} from "../../src/views/blocks/dragging/free_place.ts"
 
 const box = (left: number, top: number, width: number, height: number): Box => ({
   left,
@@ -34,7 +34,7 @@ test.each([
   ["out of sight at the left", -300, 500, 312],
   ["wider than the view", 90, 50, -78],
 ])("a block that is %s comes into view from the side", (_, left, seen, aside) => {
-  expect(moveIntoView({left, right: left + 100}, {left: 0, right: seen})).toBe(aside)
+  expect(shiftIntoView({left, right: left + 100}, {left: 0, right: seen})).toBe(aside)
 })
 
 test("nothing is ever covered", () => {

@@ -27,9 +27,9 @@ describe("the program that is there after a reload", () => {
   it("is the last one changed when this tab had only looked at an example", () => {
     const shared = storage()
     const here = storage()
-    const shelf = openProgramStore(shared, here)
-    shelf.save("mine", "walk", "move = 1", 1)
-    shelf.setCurrent(null)
+    const programStore = openProgramStore(shared, here)
+    programStore.save("mine", "walk", "move = 1", 1)
+    programStore.setCurrent(null)
     expect(openProgramStore(shared, here).current()).toEqual({id: "mine", text: "move = 1"})
   })
 })
@@ -43,9 +43,9 @@ describe("a first visit", () => {
   })
 
   it("is none where a program is stored, also one of an older version", () => {
-    const shelf = openProgramStore(storage(), storage())
-    shelf.save("mine", "walk", "move = 1", 1)
-    expect(shelf.isFirstVisit()).toBe(false)
+    const programStore = openProgramStore(storage(), storage())
+    programStore.save("mine", "walk", "move = 1", 1)
+    expect(programStore.isFirstVisit()).toBe(false)
   })
 })
 
@@ -53,42 +53,42 @@ describe("deleted programs", () => {
   it("leave the list, are not opened after a reload, and can be restored", () => {
     const shared = storage()
     const tab = storage()
-    const shelf = openProgramStore(shared, tab)
-    shelf.save("a", "walk", "move = 1", 1)
-    shelf.save("b", "turn", "turn = 2", 2)
-    shelf.remove("b", 3)
-    expect(names(shelf.programs())).toEqual(["walk"])
-    expect(names(shelf.deleted())).toEqual(["turn"])
+    const programStore = openProgramStore(shared, tab)
+    programStore.save("a", "walk", "move = 1", 1)
+    programStore.save("b", "turn", "turn = 2", 2)
+    programStore.remove("b", 3)
+    expect(names(programStore.programs())).toEqual(["walk"])
+    expect(names(programStore.deleted())).toEqual(["turn"])
     expect(openProgramStore(shared, tab).current()).toBeNull()
-    shelf.restore("b")
-    expect(names(shelf.programs())).toEqual(["turn", "walk"])
-    expect(shelf.read("b")).toBe("turn = 2")
+    programStore.restore("b")
+    expect(names(programStore.programs())).toEqual(["turn", "walk"])
+    expect(programStore.read("b")).toBe("turn = 2")
   })
 
   it("are removed, those deleted first before the others, when there are more than 20", () => {
-    const shelf = openProgramStore(storage(), storage())
+    const programStore = openProgramStore(storage(), storage())
     for (let n = 0; n < 22; n += 1) {
-      shelf.save(`id${n}`, `program ${n}`, "x = 1", n)
-      shelf.remove(`id${n}`, 100 + n)
+      programStore.save(`id${n}`, `program ${n}`, "x = 1", n)
+      programStore.remove(`id${n}`, 100 + n)
     }
-    expect(shelf.deleted()).toHaveLength(20)
-    expect(names(shelf.deleted())).not.toContain("program 1")
-    expect(shelf.read("id1")).toBeNull()
-    expect(shelf.read("id2")).toBe("x = 1")
+    expect(programStore.deleted()).toHaveLength(20)
+    expect(names(programStore.deleted())).not.toContain("program 1")
+    expect(programStore.read("id1")).toBeNull()
+    expect(programStore.read("id2")).toBe("x = 1")
   })
 
   it("make way for a program when the storage is full and are named; programs of the list never do", () => {
     const gone: (readonly string[])[] = []
-    const shelf = openProgramStore(limited(290), storage(), names => gone.push(names))
-    expect(shelf.save("a", "old", "x".repeat(60), 1)).toBe(true)
-    expect(shelf.save("b", "gone", "y".repeat(60), 2)).toBe(true)
-    shelf.remove("b", 3)
-    expect(shelf.save("c", "new", "z".repeat(60), 4)).toBe(true)
-    expect(shelf.read("b")).toBeNull()
+    const programStore = openProgramStore(limited(290), storage(), names => gone.push(names))
+    expect(programStore.save("a", "old", "x".repeat(60), 1)).toBe(true)
+    expect(programStore.save("b", "gone", "y".repeat(60), 2)).toBe(true)
+    programStore.remove("b", 3)
+    expect(programStore.save("c", "new", "z".repeat(60), 4)).toBe(true)
+    expect(programStore.read("b")).toBeNull()
     expect(gone).toEqual([["gone"]])
-    expect(shelf.save("d", "more", "w".repeat(60), 5)).toBe(false)
-    expect(names(shelf.programs())).toEqual(["new", "old"])
-    expect(shelf.read("a")).toBe("x".repeat(60))
+    expect(programStore.save("d", "more", "w".repeat(60), 5)).toBe(false)
+    expect(names(programStore.programs())).toEqual(["new", "old"])
+    expect(programStore.read("a")).toBe("x".repeat(60))
     expect(gone).toHaveLength(1)
   })
 
@@ -96,45 +96,45 @@ describe("deleted programs", () => {
     // Filled to the last letter: deleting makes the list longer.
     const inner = storage()
     const gone: string[] = []
-    const shelf = (most: number) =>
+    const programStore = (most: number) =>
       openProgramStore(limited(most, inner), storage(), names => gone.push(...names))
-    shelf(10_000).save("a", "walk", "move = 1", 1)
-    shelf(10_000).remove("a", 1_700_000_000_000)
-    shelf(10_000).save("b", "turn", "turn = 2", 2)
-    shelf(10_000).setPicture("b", "picture")
+    programStore(10_000).save("a", "walk", "move = 1", 1)
+    programStore(10_000).remove("a", 1_700_000_000_000)
+    programStore(10_000).save("b", "turn", "turn = 2", 2)
+    programStore(10_000).setPicture("b", "picture")
     const used = Array.from({length: inner.length}, (_, n) => inner.getItem(inner.key(n) ?? "") ?? "").join(
       "",
     ).length
-    shelf(used).remove("b", 1_700_000_000_001)
-    expect(names(shelf(used).programs())).toEqual([])
-    expect(names(shelf(used).deleted())).toEqual(["turn"])
-    expect(shelf(used).read("b")).toBe("turn = 2")
+    programStore(used).remove("b", 1_700_000_000_001)
+    expect(names(programStore(used).programs())).toEqual([])
+    expect(names(programStore(used).deleted())).toEqual(["turn"])
+    expect(programStore(used).read("b")).toBe("turn = 2")
     expect(gone).toEqual(["walk"])
   })
 
   it("of another class make way without their names", () => {
     const gone: string[] = []
-    const shelf = openProgramStore(limited(200), storage(), names => gone.push(...names))
-    shelf.save("a", "secret", "x".repeat(60), 1)
-    shelf.remove("a", 2)
-    shelf.hide(id => id === "a")
-    expect(shelf.save("b", "mine", "y".repeat(60), 3)).toBe(true)
-    expect(shelf.read("a")).toBeNull()
+    const programStore = openProgramStore(limited(200), storage(), names => gone.push(...names))
+    programStore.save("a", "secret", "x".repeat(60), 1)
+    programStore.remove("a", 2)
+    programStore.hide(id => id === "a")
+    expect(programStore.save("b", "mine", "y".repeat(60), 3)).toBe(true)
+    expect(programStore.read("a")).toBeNull()
     expect(gone).toEqual([])
   })
 })
 
 describe("a renamed program", () => {
   it("keeps its date and its place in the list", () => {
-    const shelf = openProgramStore(storage(), storage())
-    shelf.save("a", "walk", "move = 1", 1)
-    shelf.save("b", "turn", "turn = 2", 2)
-    shelf.rename("a", "run", "move = 1 -- run")
-    expect(shelf.programs().map(({name, at}) => [name, at])).toEqual([
+    const programStore = openProgramStore(storage(), storage())
+    programStore.save("a", "walk", "move = 1", 1)
+    programStore.save("b", "turn", "turn = 2", 2)
+    programStore.rename("a", "run", "move = 1 -- run")
+    expect(programStore.programs().map(({name, at}) => [name, at])).toEqual([
       ["turn", 2],
       ["run", 1],
     ])
-    expect(shelf.read("a")).toBe("move = 1 -- run")
+    expect(programStore.read("a")).toBe("move = 1 -- run")
   })
 })
 
@@ -145,11 +145,11 @@ describe("the learner's own room while a room of a test replaces it", () => {
   it("is stored for each program, and removed when the room is back", () => {
     const shared = storage()
     openProgramStore(shared, storage()).setReplacedRoom("a", replaced)
-    const shelf = openProgramStore(shared, storage())
-    expect(shelf.replacedRoom("a")).toEqual(replaced)
-    expect(shelf.replacedRoom("b")).toBeNull()
-    shelf.setReplacedRoom("a", null)
-    expect(shelf.replacedRoom("a")).toBeNull()
+    const programStore = openProgramStore(shared, storage())
+    expect(programStore.replacedRoom("a")).toEqual(replaced)
+    expect(programStore.replacedRoom("b")).toBeNull()
+    programStore.setReplacedRoom("a", null)
+    expect(programStore.replacedRoom("a")).toBeNull()
     expect(shared.length).toBe(0)
   })
 
@@ -157,8 +157,8 @@ describe("the learner's own room while a room of a test replaces it", () => {
     const shared = storage()
     shared.setItem("rosy.room.a", JSON.stringify({by: "pits 3", own: {size: "large"}}))
     shared.setItem("rosy.room.b", "{")
-    const shelf = openProgramStore(shared, storage())
-    expect([shelf.replacedRoom("a"), shelf.replacedRoom("b")]).toEqual([null, null])
+    const programStore = openProgramStore(shared, storage())
+    expect([programStore.replacedRoom("a"), programStore.replacedRoom("b")]).toEqual([null, null])
   })
 })
 

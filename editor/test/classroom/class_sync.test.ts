@@ -63,7 +63,7 @@ class Service {
 class Browser {
   readonly storage = memoryStorage()
   readonly memberships = openMemberships(this.storage)
-  readonly shelf = openProgramStore(this.storage, memoryStorage())
+  readonly programStore = openProgramStore(this.storage, memoryStorage())
   readonly sync: ClassSync
   readonly shown: string[] = []
   online = true
@@ -82,7 +82,7 @@ class Browser {
     this.memberships.write({token: "t", nickname: "Ada", programs: {}})
     this.sync = openClassSync(
       this.memberships,
-      this.shelf,
+      this.programStore,
       {
         id: () => this.open,
         store: () => undefined,
@@ -93,12 +93,12 @@ class Browser {
         },
         claim: () => {
           this.open = this.place()
-          this.shelf.insert(this.open, "walk", this.page, 1)
+          this.programStore.insert(this.open, "walk", this.page, 1)
         },
         becomeTwo: () => {
           // As autosave does: the page keeps its text, under a new entry and name.
           const copy = this.place()
-          this.shelf.insert(copy, "walk 2", this.page, 2)
+          this.programStore.insert(copy, "walk 2", this.page, 2)
           this.open = copy
         },
       },
@@ -127,7 +127,7 @@ class Browser {
     this.open ??= "p"
     this.page = text
     this.written = text
-    this.shelf.save(this.open, "walk", text, 1)
+    this.programStore.save(this.open, "walk", text, 1)
   }
 
   save(): void {
@@ -155,9 +155,9 @@ class Browser {
   }
 
   texts(): string[] {
-    return this.shelf
+    return this.programStore
       .programs()
-      .map(({id}) => this.shelf.read(id) ?? "")
+      .map(({id}) => this.programStore.read(id) ?? "")
       .sort()
   }
 }
@@ -293,7 +293,7 @@ describe("a program in the class", () => {
     expect(service.texts()).toEqual(["of the first", "of the second"])
     expect(first.texts()).toEqual(["of the first", "of the second"])
     // The page still shows what was written on it.
-    expect(first.shelf.read(first.open ?? "")).toBe("of the first")
+    expect(first.programStore.read(first.open ?? "")).toBe("of the first")
     second.disconnects()
     second.enters()
     expect(second.texts()).toEqual(["of the first", "of the second"])
@@ -324,7 +324,7 @@ describe("a program in the class", () => {
     browser.write("one")
     browser.save()
     browser.open = null
-    browser.shelf.remove("p", 3)
+    browser.programStore.remove("p", 3)
     browser.disconnects()
     browser.enters()
     expect(browser.texts()).toEqual([])
@@ -388,7 +388,7 @@ test("a program is saved when it runs unchanged, not when it is only open", () =
 test("a browser keeps its membership of each class, and each class gets its own programs only", () => {
   const services = {"7a": new Service(), "7c": new Service()}
   const browser = new Browser(services["7a"], "a")
-  browser.shelf.hide(browser.memberships.isForeign)
+  browser.programStore.hide(browser.memberships.isForeign)
   const meets = (id: "7a" | "7c") => {
     browser.disconnects()
     browser.sync.left()
@@ -407,7 +407,7 @@ test("a browser keeps its membership of each class, and each class gets its own 
   browser.open = "late"
   browser.write("late in 7a")
   meets("7c")
-  expect(browser.shelf.programs()).toEqual([])
+  expect(browser.programStore.programs()).toEqual([])
   browser.open = "other"
   browser.write("of 7c")
   browser.save()

@@ -241,9 +241,9 @@ describe("what the browser remembers of it", () => {
   it("comes back as it was", () => {
     fc.assert(
       fc.property(arrangements, arrangement => {
-        const shelf = openProgramStore(storage(), storage())
-        shelf.setPreferences({arrangement})
-        expect(shelf.preferences().arrangement).toEqual(arrangement)
+        const programStore = openProgramStore(storage(), storage())
+        programStore.setPreferences({arrangement})
+        expect(programStore.preferences().arrangement).toEqual(arrangement)
       }),
     )
   })

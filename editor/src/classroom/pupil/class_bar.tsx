@@ -15,7 +15,7 @@ import {SharingLine} from "./sharing_lines.tsx"
 import {TaskLines} from "./task_lines.tsx"
 
 /// What the card and the bar show, and their commands.
-export interface ClassDesk extends SharingCommands {
+export interface ClassCommands extends SharingCommands {
   readonly state: Signal<ClassState>
   readonly code: string
   readonly isTeacher: boolean
@@ -37,20 +37,20 @@ export interface ClassDesk extends SharingCommands {
 }
 
 interface Props {
-  readonly desk: ClassDesk
+  readonly commands: ClassCommands
 }
 
-export function ClassBar({desk}: Props): VNode {
+export function ClassBar({commands}: Props): VNode {
   const w = words.classroom
-  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = desk.state.value
+  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = commands.state.value
   const isSaved = link === "open" && (saved === "saved" || saved === "saving")
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
       {member === null ? (
-        desk.isTeacher ? (
+        commands.isTeacher ? (
           <a href="board">{w.openBoard}</a>
         ) : (
-          <button type="button" class="plain" onClick={() => desk.showCard("join")}>
+          <button type="button" class="plain" onClick={() => commands.showCard("join")}>
             {w.join}
           </button>
         )
@@ -65,46 +65,50 @@ export function ClassBar({desk}: Props): VNode {
             </span>
           </div>
           {handout !== null && isHandoutFolded && (
-            <button type="button" class="plain" onClick={() => desk.foldHandout(false)}>
+            <button type="button" class="plain" onClick={() => commands.foldHandout(false)}>
               {w.fromTeacher}
             </button>
           )}
-          <button type="button" class="plain" aria-pressed={hand} onClick={() => desk.raiseHand(!hand)}>
+          <button type="button" class="plain" aria-pressed={hand} onClick={() => commands.raiseHand(!hand)}>
             {hand ? w.lowerHand : w.raiseHand}
           </button>
-          <button type="button" class="plain" onClick={() => desk.showCard("words")}>
+          <button type="button" class="plain" onClick={() => commands.showCard("words")}>
             {w.myWords}
           </button>
         </>
       )}
       {member !== null && (
-        <TaskLines state={desk.state.value} handIn={desk.handIn} closeComment={desk.closeComment} />
+        <TaskLines
+          state={commands.state.value}
+          handIn={commands.handIn}
+          closeComment={commands.closeComment}
+        />
       )}
       {member !== null && blockComments.length > 0 && (
         <CommentLines
           comments={blockComments}
-          {...desk.open.value}
-          nameOf={desk.nameOf}
-          show={desk.showComment}
-          open={desk.openProgram}
-          setDone={desk.setDone}
+          {...commands.open.value}
+          nameOf={commands.nameOf}
+          show={commands.showComment}
+          open={commands.openProgram}
+          setDone={commands.setDone}
         />
       )}
       {member !== null && sharing !== null && (
         <SharingLine
           sharing={sharing}
-          allowSharing={desk.allowSharing}
-          declineSharing={desk.declineSharing}
-          endSharing={desk.endSharing}
+          allowSharing={commands.allowSharing}
+          declineSharing={commands.declineSharing}
+          endSharing={commands.endSharing}
         />
       )}
       {member !== null && handout !== null && !isHandoutFolded && (
         <p class="class-handout" role="status">
           <span>{w.handouts[handout.what](handout.name)}</span>
-          <button type="button" class="plain" onClick={desk.openHandout}>
+          <button type="button" class="plain" onClick={commands.openHandout}>
             {w.openHandout}
           </button>
-          <button type="button" class="plain" onClick={() => desk.foldHandout(true)}>
+          <button type="button" class="plain" onClick={() => commands.foldHandout(true)}>
             {w.later}
           </button>
         </p>
@@ -113,16 +117,16 @@ export function ClassBar({desk}: Props): VNode {
   )
 }
 
-export function ClassDialogs({desk}: Props): VNode {
-  const {card, attention} = desk.state.value
+export function ClassDialogs({commands}: Props): VNode {
+  const {card, attention} = commands.state.value
   return (
     <>
       {card !== null && (
         <Modal
           label={card === "join" ? words.classroom.title : words.classroom.wordsTitle}
-          close={() => desk.showCard(null)}
+          close={() => commands.showCard(null)}
         >
-          {card === "join" ? <JoinCard desk={desk} /> : <WordsCard desk={desk} />}
+          {card === "join" ? <JoinCard commands={commands} /> : <WordsCard commands={commands} />}
         </Modal>
       )}
       {attention !== null && (
@@ -166,11 +170,11 @@ function Modal({label, close, children}: ModalProps): VNode {
   )
 }
 
-function JoinCard({desk}: Props): VNode {
+function JoinCard({commands}: Props): VNode {
   const w = words.classroom
-  const {asked, refused, link} = desk.state.value
+  const {asked, refused, link} = commands.state.value
   const [returns, setReturns] = useState(false)
-  const [code, setCode] = useState(desk.code)
+  const [code, setCode] = useState(commands.code)
   const [nickname, setNickname] = useState("")
   const [typedWords, setTypedWords] = useState("")
   const fault =
@@ -184,8 +188,8 @@ function JoinCard({desk}: Props): VNode {
       class="class-form"
       onSubmit={event => {
         event.preventDefault()
-        if (returns) desk.resume(code, typedWords)
-        else desk.join(code, nickname)
+        if (returns) commands.resume(code, typedWords)
+        else commands.join(code, nickname)
       }}
     >
       <h2>{w.title}</h2>
@@ -234,7 +238,7 @@ function JoinCard({desk}: Props): VNode {
         <button type="button" class="plain" onClick={() => setReturns(!returns)}>
           {returns ? w.iAmNew : w.wasHere}
         </button>
-        <button type="button" class="plain" onClick={() => desk.showCard(null)}>
+        <button type="button" class="plain" onClick={() => commands.showCard(null)}>
           {w.without}
         </button>
       </p>
@@ -248,9 +252,9 @@ function JoinCard({desk}: Props): VNode {
   )
 }
 
-function WordsCard({desk}: Props): VNode {
+function WordsCard({commands}: Props): VNode {
   const w = words.classroom
-  const {member, saved, link} = desk.state.value
+  const {member, saved, link} = commands.state.value
   return (
     <div class="class-form">
       <h2>{w.wordsTitle}</h2>
@@ -258,7 +262,7 @@ function WordsCard({desk}: Props): VNode {
         {member?.words}
       </p>
       <p class="quiet">{w.wordsLead}</p>
-      <button type="button" class="primary" onClick={() => desk.showCard(null)}>
+      <button type="button" class="primary" onClick={() => commands.showCard(null)}>
         {w.wordsDone}
       </button>
       <p class="class-others">
@@ -267,7 +271,7 @@ function WordsCard({desk}: Props): VNode {
           class="plain"
           disabled={saved !== "saved" || link !== "open"}
           title={w.leaveHint}
-          onClick={desk.leave}
+          onClick={commands.leave}
         >
           {w.leave}
         </button>

@@ -89,7 +89,7 @@ export class ClassConnection {
   /// Also before the page is let in; false when there is no connection.
   readonly sendAlways = (message: PupilRequest): boolean => this.socket.send(message)
 
-  private openSync({store, loader, shelf}: PageOfClass): ClassSync {
+  private openSync({store, loader, programStore}: PageOfClass): ClassSync {
     /// Stores the open program as if it were changed: without an entry, or with one that has another text now, it gets a new one.
     const storeAnew = () => {
       store.dispatch({kind: "renamed", name: store.now.name})
@@ -97,7 +97,7 @@ export class ClassConnection {
     }
     return openClassSync(
       this.memberships,
-      shelf,
+      programStore,
       {
         id: loader.storedId,
         store: loader.store,
@@ -217,13 +217,13 @@ const keepsOut = (reason: Refusal): boolean =>
   reason === "attempts" || reason === "disk" || reason === "database"
 
 /// Hides programs of other classes; when the page shows one, a new program takes its place.
-function openForeignPrograms({store, loader, shelf}: PageOfClass, memberships: Memberships) {
+function openForeignPrograms({store, loader, programStore}: PageOfClass, memberships: Memberships) {
   /// Whether the page was in another class, or showed a program of one, which gives way to a new one. The pupil's newest program follows when
   /// the class lets the page in.
   let isReplaced = false
   /// The entry of the program that was compared with the class last.
   let compared: string | null = null
-  shelf.hide(memberships.isForeign)
+  programStore.hide(memberships.isForeign)
   const hideForeign = () => {
     const id = loader.storedId()
     if (id === compared) return

@@ -85,12 +85,12 @@ class PendingRequests {
 
 export const openClassSync = (
   memberships: Memberships,
-  shelf: ProgramStore,
+  programStore: ProgramStore,
   open: OpenProgram,
   naming: Naming,
   send: (message: PupilRequest) => boolean,
   changed: () => void,
-): ClassSync => new Synchronization(new LocalPrograms(memberships, shelf, naming), open, send, changed)
+): ClassSync => new Synchronization(new LocalPrograms(memberships, programStore, naming), open, send, changed)
 
 class Synchronization implements ClassSync {
   private readonly programs: LocalPrograms

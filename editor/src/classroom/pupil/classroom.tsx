@@ -8,7 +8,7 @@ import {isLessonFile} from "../../lesson_files/lesson_file.ts"
 import {parseJson} from "../../wire/decode.ts"
 import "../../styles/class.css"
 import type {Handout} from "../../wire/classroom/pupil_messages.generated.ts"
-import {ClassBar, type ClassDesk, ClassDialogs} from "./class_bar.tsx"
+import {ClassBar, type ClassCommands, ClassDialogs} from "./class_bar.tsx"
 import {ClassConnection} from "./class_connection.ts"
 import {type ClassMemory, openClassMemory} from "./class_memory.ts"
 import {commentKey} from "./class_state.ts"
@@ -17,17 +17,17 @@ import {openPupilComments} from "./pupil_comments.ts"
 
 export function openClassroom(page: PageOfClass): void {
   const memory = openClassMemory(page.storage)
-  const desk = classDesk(page, new ClassConnection(page, memory), memory)
+  const commands = classCommands(page, new ClassConnection(page, memory), memory)
   const bar = document.getElementById("class-bar")
   if (bar === null) throw new Error("expected #class-bar on the page, found nothing")
-  render(<ClassBar desk={desk} />, bar)
+  render(<ClassBar commands={commands} />, bar)
   const dialogs = document.createElement("div")
   document.body.append(dialogs)
-  render(<ClassDialogs desk={desk} />, dialogs)
+  render(<ClassDialogs commands={commands} />, dialogs)
 }
 
-function classDesk(page: PageOfClass, connection: ClassConnection, memory: ClassMemory): ClassDesk {
-  const {store, loader, shelf, code} = page
+function classCommands(page: PageOfClass, connection: ClassConnection, memory: ClassMemory): ClassCommands {
+  const {store, loader, programStore, code} = page
   const {state, isTeacher, memberships, sync, dispatch, send, sendAlways} = connection
   return {
     ...openPupilComments(page, state, send),
@@ -75,7 +75,7 @@ function classDesk(page: PageOfClass, connection: ClassConnection, memory: Class
       if (sync.state() !== "saved") return
       const current = loader.storedId()
       if (current !== null && programs[current] !== undefined) loader.newProgram()
-      for (const id of Object.keys(programs)) shelf.remove(id, Date.now())
+      for (const id of Object.keys(programs)) programStore.remove(id, Date.now())
       sendAlways({op: "forget"})
       memberships.write(null)
       memory.forgetComments()

@@ -14,12 +14,12 @@ export interface Naming {
 
 export class LocalPrograms {
   private readonly memberships: Memberships
-  private readonly shelf: ProgramStore
+  private readonly programStore: ProgramStore
   private readonly naming: Naming
 
-  constructor(memberships: Memberships, shelf: ProgramStore, naming: Naming) {
+  constructor(memberships: Memberships, programStore: ProgramStore, naming: Naming) {
     this.memberships = memberships
-    this.shelf = shelf
+    this.programStore = programStore
     this.naming = naming
   }
 
@@ -39,7 +39,7 @@ export class LocalPrograms {
 
   /// The text of a program that is in the list.
   textOf(id: string): string | null {
-    return this.listed(id) === undefined ? null : this.shelf.read(id)
+    return this.listed(id) === undefined ? null : this.programStore.read(id)
   }
 
   nameOf(id: string): string {
@@ -52,19 +52,19 @@ export class LocalPrograms {
 
   /// Whether it was stored.
   insert(id: string, name: string, text: string): boolean {
-    return this.shelf.insert(id, name, text, Date.now())
+    return this.programStore.insert(id, name, text, Date.now())
   }
 
   /// Copies a program to an entry with another name; `null` if there is none, or the storage is full.
   copyApart(id: string): string | null {
     const text = this.textOf(id)
     if (text === null) return null
-    const name = this.naming.name(this.nameOf(id), this.shelf.programs())
+    const name = this.naming.name(this.nameOf(id), this.programStore.programs())
     const copy = this.newPlace()
     return this.insert(copy, name, this.naming.renamed(text, name)) ? copy : null
   }
 
   private listed(id: string): StoredProgram | undefined {
-    return this.shelf.programs().find(program => program.id === id)
+    return this.programStore.programs().find(program => program.id === id)
   }
 }

@@ -13,7 +13,7 @@ export interface PageOfClass {
   readonly loader: ProgramLoader
   readonly editor: DocumentEditor
   readonly parts: PageParts
-  readonly shelf: ProgramStore
+  readonly programStore: ProgramStore
   readonly storage: BrowserStorage
   /// Brings a place of the program into sight, in the text and in the blocks.
   readonly reveal: AppController["showFinding"]

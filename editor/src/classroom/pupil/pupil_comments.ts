@@ -4,14 +4,14 @@ import {computed, type Signal} from "@preact/signals"
 import {locatePlace} from "../../program/block_comments.ts"
 import {innermostBlock} from "../../program/program.ts"
 import type {OwnComment, PupilRequest} from "../../wire/classroom/pupil_messages.generated.ts"
-import type {ClassDesk} from "./class_bar.tsx"
+import type {ClassCommands} from "./class_bar.tsx"
 import type {ClassState} from "./class_state.ts"
 import type {PageOfClass} from "./page_of_class.ts"
 
-type CommentCommands = Pick<ClassDesk, "open" | "nameOf" | "showComment" | "openProgram" | "setDone">
+type CommentCommands = Pick<ClassCommands, "open" | "nameOf" | "showComment" | "openProgram" | "setDone">
 
 export function openPupilComments(
-  {store, loader, shelf, reveal}: PageOfClass,
+  {store, loader, programStore, reveal}: PageOfClass,
   state: Signal<ClassState>,
   send: (message: PupilRequest) => boolean,
 ): CommentCommands {
@@ -38,16 +38,18 @@ export function openPupilComments(
         return {program: document.value.program, id: loader.storedId()}
       },
     },
-    nameOf: program => shelf.programs().find(({id}) => id === program)?.name ?? null,
+    nameOf: program => programStore.programs().find(({id}) => id === program)?.name ?? null,
     showComment({place}) {
       const {program} = store.now.document
       const range = locatePlace(program, place)
       if (range !== null) reveal({range, block: innermostBlock(program.spans, range)})
     },
     openProgram(program) {
-      const text = shelf.read(program)
+      const text = programStore.read(program)
       if (text !== null)
-        loader.openText(shelf.programs().find(({id}) => id === program)?.name ?? "", text, {id: program})
+        loader.openText(programStore.programs().find(({id}) => id === program)?.name ?? "", text, {
+          id: program,
+        })
     },
     setDone(comment, done) {
       send({op: "comment-done", comment: comment.id, done})

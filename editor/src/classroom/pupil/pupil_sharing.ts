@@ -22,7 +22,7 @@ export interface PupilSharing {
 }
 
 export function openPupilSharing(
-  {store, loader, editor, parts, shelf}: PageOfClass,
+  {store, loader, editor, parts, programStore}: PageOfClass,
   state: Signal<ClassState>,
   dispatch: (event: ClassEvent) => void,
   send: (message: PupilRequest) => boolean,
@@ -57,7 +57,7 @@ export function openPupilSharing(
         if (sharing?.kind !== "asked") return
         const {program, number, name} = sharing
         if (loader.storedId() !== program) {
-          const text = shelf.read(program)
+          const text = programStore.read(program)
           if (text === null) {
             send({op: "decline", number})
             return dispatch({kind: "sharing", sharing: {kind: "gone", name}})

@@ -39,7 +39,7 @@ export interface AutosavedPage {
   follow(text: string): boolean
 }
 
-export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedPage): Autosave {
+export function openAutosave(store: Store, programStore: ProgramStore, page: AutosavedPage): Autosave {
   let place: string | null = null
   /// The text of the entry as this tab has read or written it.
   let known: string | null = null
@@ -53,14 +53,14 @@ export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedP
   }
   /// Compares the entry with this tab's copy of it.
   const compare = () => {
-    const stored = place === null ? null : shelf.read(place)
+    const stored = place === null ? null : programStore.read(place)
     if (stored === null || stored === known) return
     page.settle()
     if (store.now.saved === "saved" && page.follow(stored)) {
       known = stored
       return
     }
-    const name = freshName(store.now.name, shelf.programs())
+    const name = freshName(store.now.name, programStore.programs())
     const notice = {kind: "became-two", name: store.now.name, copy: name} as const
     place = freshPlace()
     known = null
@@ -72,17 +72,17 @@ export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedP
     timer = undefined
     page.settle()
     const here = page.readingPosition()
-    if (here !== null) shelf.setReadingPosition(here)
+    if (here !== null) programStore.setReadingPosition(here)
     if (store.now.saved === "saved") return
     compare()
     claim()
-    shelf.setUndoSteps(serializeHistory(store.now.history, store.now.document))
+    programStore.setUndoSteps(serializeHistory(store.now.history, store.now.document))
     place ??= freshPlace()
-    const ok = shelf.save(place, store.now.name, page.projectText(), Date.now())
-    known = shelf.read(place)
+    const ok = programStore.save(place, store.now.name, page.projectText(), Date.now())
+    known = programStore.read(place)
     const picture = page.picture()
-    if (ok && picture !== null) shelf.setPicture(place, picture)
-    if (ok) shelf.setReplacedRoom(place, store.now.replacedRoom)
+    if (ok && picture !== null) programStore.setPicture(place, picture)
+    if (ok) programStore.setReplacedRoom(place, store.now.replacedRoom)
     store.dispatch({kind: "stored", ok})
   }
 
@@ -101,7 +101,7 @@ export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedP
   for (const leaving of ["beforeunload", "pagehide"]) window.addEventListener(leaving, keep)
   document.addEventListener("visibilitychange", () => document.visibilityState === "hidden" && keep())
   window.addEventListener("storage", event => {
-    if (place !== null && event.key === shelf.keyOf(place)) compare()
+    if (place !== null && event.key === programStore.keyOf(place)) compare()
   })
 
   return {
@@ -109,10 +109,10 @@ export function openAutosave(store: Store, shelf: ProgramStore, page: AutosavedP
       // What was changed a moment ago belongs to the program that is being left.
       keep()
       place = id
-      known = id === null ? null : shelf.read(id)
+      known = id === null ? null : programStore.read(id)
       own = false
-      shelf.setCurrent(id)
-      if (!again) shelf.setUndoSteps(null)
+      programStore.setCurrent(id)
+      if (!again) programStore.setUndoSteps(null)
     },
     edited: keepFirst,
     flush: keep,

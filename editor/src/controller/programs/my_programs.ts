@@ -14,27 +14,27 @@ type MyProgramCommands = Pick<AppController, "openMyPrograms" | "myPrograms">
 export function myProgramCommands(
   store: Store,
   loader: ProgramLoader,
-  shelf: ProgramStore,
+  programStore: ProgramStore,
 ): MyProgramCommands {
   return {
     openMyPrograms() {
       loader.store()
       store.dispatch({kind: "dialog", dialog: "programs"})
     },
-    myPrograms: openMyPrograms(store, loader, shelf),
+    myPrograms: openMyPrograms(store, loader, programStore),
   }
 }
 
-function openMyPrograms(store: Store, loader: ProgramLoader, shelf: ProgramStore): MyPrograms {
+function openMyPrograms(store: Store, loader: ProgramLoader, programStore: ProgramStore): MyPrograms {
   const isOpen = (id: string) => loader.storedId() === id
-  const nameOf = (id: string) => shelf.programs().find(program => program.id === id)?.name ?? ""
+  const nameOf = (id: string) => programStore.programs().find(program => program.id === id)?.name ?? ""
   return {
-    list: shelf.programs,
-    deleted: shelf.deleted,
-    picture: id => readBlockPicture(shelf.picture(id)),
+    list: programStore.programs,
+    deleted: programStore.deleted,
+    picture: id => readBlockPicture(programStore.picture(id)),
     isOpen,
     open(id) {
-      const text = shelf.read(id)
+      const text = programStore.read(id)
       if (text !== null) loader.openText(words.yourProgram, text, {id})
     },
     rename(id, name) {
@@ -43,19 +43,19 @@ function openMyPrograms(store: Store, loader: ProgramLoader, shelf: ProgramStore
         loader.store()
         return
       }
-      const text = shelf.read(id)
-      if (text !== null) shelf.rename(id, name, renamed(text, name))
+      const text = programStore.read(id)
+      if (text !== null) programStore.rename(id, name, renamed(text, name))
     },
     duplicate(id) {
       if (isOpen(id)) loader.store()
-      const text = shelf.read(id)
+      const text = programStore.read(id)
       if (text === null) return
-      const name = freshName(nameOf(id), shelf.programs())
+      const name = freshName(nameOf(id), programStore.programs())
       const copy = freshPlace()
-      shelf.insert(copy, name, renamed(text, name), Date.now())
-      const picture = shelf.picture(id)
-      if (picture !== null) shelf.setPicture(copy, picture)
-      shelf.setReplacedRoom(copy, shelf.replacedRoom(id))
+      programStore.insert(copy, name, renamed(text, name), Date.now())
+      const picture = programStore.picture(id)
+      if (picture !== null) programStore.setPicture(copy, picture)
+      programStore.setReplacedRoom(copy, programStore.replacedRoom(id))
     },
     remove(id) {
       if (isOpen(id)) {
@@ -63,9 +63,9 @@ function openMyPrograms(store: Store, loader: ProgramLoader, shelf: ProgramStore
         loader.newProgram()
         store.dispatch({kind: "dialog", dialog: "programs"})
       }
-      shelf.remove(id, Date.now())
+      programStore.remove(id, Date.now())
     },
-    restore: shelf.restore,
+    restore: programStore.restore,
   }
 }
 

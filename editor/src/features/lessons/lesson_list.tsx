@@ -48,13 +48,13 @@ function Drafts(): VNode {
 }
 
 function ServiceLessons(): VNode {
-  const desk = useController()
+  const controller = useController()
   const list = usePageState(s => s.lessons.list)
   if (list.kind === "failed")
     return (
       <p>
         {words.lessons.failed}{" "}
-        <button type="button" class="link" onClick={() => desk.openLessons()}>
+        <button type="button" class="link" onClick={() => controller.openLessons()}>
           {words.again}
         </button>
       </p>
@@ -81,14 +81,14 @@ function ServiceLessons(): VNode {
 }
 
 function LessonCard({lesson}: {lesson: LessonEntry}): VNode {
-  const desk = useController()
+  const controller = useController()
   const progress = usePageState(s => s.lessons.progress)
   const current = usePageState(s => s.lessons.open?.lesson.name === lesson.name)
   const finished = isFinished(progress, lesson)
   const done = lesson.steps.filter(step => (progress[lesson.name] ?? []).includes(step)).length
   return (
     <li class={`card ${finished ? "finished" : ""}`} aria-current={current}>
-      <button type="button" class="opens" onClick={() => desk.openLesson(lesson.name)}>
+      <button type="button" class="opens" onClick={() => controller.openLesson(lesson.name)}>
         <b>
           {lesson.number}. {lesson.title}
         </b>

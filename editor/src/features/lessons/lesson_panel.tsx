@@ -16,7 +16,7 @@ import {words} from "../../words/index.ts"
 import {type Hint, hintedChecks, hintsOf} from "./hints.ts"
 
 export function LessonPanel(): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const open = usePageState(s => s.lessons.open)
   const isTrial = usePageState(s => s.lessons.writing?.mode === "trying")
   if (open === null) return null
@@ -30,7 +30,7 @@ export function LessonPanel(): VNode | null {
           {lesson.number === null ? words.lessons.panel : words.lessons.number(lesson.number)}
         </p>
         {!isTrial && (
-          <IconButton label={words.lessons.leave} onClick={() => desk.leaveLesson()}>
+          <IconButton label={words.lessons.leave} onClick={() => controller.leaveLesson()}>
             <CloseIcon />
           </IconButton>
         )}
@@ -80,18 +80,18 @@ function Trial(): VNode {
 
 /// The lesson as a link, to pass on.
 function LessonLink({file}: {file: string}): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const [address, setAddress] = useState<string | null>(null)
   useEffect(() => {
-    void desk.lessonLink(file).then(setAddress)
-  }, [desk, file])
+    void controller.lessonLink(file).then(setAddress)
+  }, [controller, file])
   if (address === null) return null
   return (
     <p>
       <a class="link" href={address}>
         {words.lessons.link}
       </a>{" "}
-      <button type="button" class="link" onClick={() => desk.lessonEditor.openFile(file)}>
+      <button type="button" class="link" onClick={() => controller.lessonEditor.openFile(file)}>
         {words.lessonEditor.change}
       </button>
     </p>
@@ -99,7 +99,7 @@ function LessonLink({file}: {file: string}): VNode | null {
 }
 
 function StepLine({open, step, place}: {open: OpenLesson; step: Step; place: number}): VNode {
-  const desk = useController()
+  const controller = useController()
   const done = usePageState(s => isDone(s.lessons, step))
   const isCurrent = place === open.at
   return (
@@ -107,7 +107,7 @@ function StepLine({open, step, place}: {open: OpenLesson; step: Step; place: num
       class={`step ${done ? "done" : ""} ${isCurrent ? "now" : ""}`}
       aria-current={isCurrent ? "step" : undefined}
     >
-      <button type="button" class="step-title" onClick={() => desk.goToStep(place)}>
+      <button type="button" class="step-title" onClick={() => controller.goToStep(place)}>
         <span class="dot" aria-hidden="true">
           {done ? "✓" : place + 1}
         </span>
@@ -285,21 +285,21 @@ function hintText(hint: Hint): string {
 }
 
 function WayOn({open}: {open: OpenLesson}): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const step = currentStep(open)
   const done = usePageState(s => step !== undefined && isDone(s.lessons, step))
   const all = usePageState(s => open.lesson.steps.every(one => isDone(s.lessons, one)))
   const {lesson, at} = open
   if (!done && step?.watched != null)
     return (
-      <button type="button" class="link restart" onClick={() => desk.restartStep()}>
+      <button type="button" class="link restart" onClick={() => controller.restartStep()}>
         {words.lessons.again}
       </button>
     )
   if (!done) return null
   if (at + 1 < lesson.steps.length)
     return (
-      <button type="button" class="go" onClick={() => desk.goToStep(at + 1)}>
+      <button type="button" class="go" onClick={() => controller.goToStep(at + 1)}>
         {words.lessons.go}
       </button>
     )
@@ -317,11 +317,11 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
         </>
       )}
       {next !== null && (
-        <button type="button" class="go" onClick={() => desk.openLesson(next)}>
+        <button type="button" class="go" onClick={() => controller.openLesson(next)}>
           {words.lessons.nextLesson}
         </button>
       )}
-      <button type="button" class="plain" onClick={() => desk.leaveLesson()}>
+      <button type="button" class="plain" onClick={() => controller.leaveLesson()}>
         {words.lessons.freePlay}
       </button>
     </div>

@@ -19,8 +19,8 @@ const firstMoment = 1000
 
 /// `drops`: fixes whose run is no better than that of the program are not offered.
 export function FixList({fixes, drops}: {readonly fixes: readonly Fix[]; readonly drops: boolean}): VNode {
-  const desk = useController()
-  const {store} = desk
+  const controller = useController()
+  const {store} = controller
   const program = usePageState(s => s.document.program.text)
   const isTried = usePageState(previewsFixes)
   const {answers} = usePageState(s => s.room.fixPreviews)
@@ -73,15 +73,20 @@ export function FixList({fixes, drops}: {readonly fixes: readonly Fix[]; readonl
       {order.map(i => {
         const [fix, text, outcome] = [fixes[i], texts[i], outcomes[i]]
         if (fix === undefined || text === undefined) return null
-        const told = `${id}-${i}`
+        const describedBy = `${id}-${i}`
         return (
           <li key={fix.title}>
             {isWide.current && <PathPicture preview={answers.get(text) ?? null} />}
-            <button type="button" class="fix" aria-describedby={told} onClick={() => desk.applyFix(fix)}>
+            <button
+              type="button"
+              class="fix"
+              aria-describedby={describedBy}
+              onClick={() => controller.applyFix(fix)}
+            >
               {fix.title}
             </button>
             {isWide.current && (
-              <span class="quiet" id={told}>
+              <span class="quiet" id={describedBy}>
                 {sentence(outcome, drops ? now : undefined)}
               </span>
             )}
@@ -96,9 +101,9 @@ export function FixList({fixes, drops}: {readonly fixes: readonly Fix[]; readonl
 function sentence(outcome: KnownOutcome, program: KnownOutcome): string {
   if (outcome === undefined) return words.preview.outcome.trying
   if (outcome === null) return ""
-  const told = outcomeSentence(outcome, words.preview, measures)
+  const text = outcomeSentence(outcome, words.preview, measures)
   const isUseful = program === undefined || program === null || isBetter(outcome, program)
-  return isUseful ? told : `${told} (${words.preview.outcome.noBetter})`
+  return isUseful ? text : `${text} (${words.preview.outcome.noBetter})`
 }
 
 /// The path in the room; an empty place of the same size as long as there is none.

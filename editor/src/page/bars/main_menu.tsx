@@ -38,7 +38,7 @@ export function MainMenu(): VNode {
 }
 
 function MenuItems({close}: {close: () => void}): VNode {
-  const desk = useController()
+  const controller = useController()
   const size = usePageState(s => s.size)
   const theme = usePageState(s => s.theme)
   const offered = usePageState(s => s.robots.offered !== null)
@@ -59,25 +59,26 @@ function MenuItems({close}: {close: () => void}): VNode {
     <div class="menu-items">
       {size === "phone" && <UndoRedo />}
       <div class="from-bar">
-        {item(words.lessons.title, desk.openLessons)}
-        {item(words.examples, desk.openGallery)}
+        {item(words.lessons.title, controller.openLessons)}
+        {item(words.examples, controller.openGallery)}
       </div>
-      {item(words.myPrograms.title, desk.openMyPrograms)}
-      {offered && item(words.robots.choose, () => desk.store.dispatch({kind: "dialog", dialog: "robots"}))}
-      {item(words.newProgram, desk.newProgram)}
-      {item(words.openFile, desk.openFile)}
-      {item(words.recordings.open, desk.openRecording)}
-      {item(words.saveFile, desk.saveFile)}
-      {item(words.saveHaskell, desk.saveHaskell)}
-      {item(words.share.menu, desk.share)}
+      {item(words.myPrograms.title, controller.openMyPrograms)}
+      {offered &&
+        item(words.robots.choose, () => controller.store.dispatch({kind: "dialog", dialog: "robots"}))}
+      {item(words.newProgram, controller.newProgram)}
+      {item(words.openFile, controller.openFile)}
+      {item(words.recordings.open, controller.openRecording)}
+      {item(words.saveFile, controller.saveFile)}
+      {item(words.saveHaskell, controller.saveHaskell)}
+      {item(words.share.menu, controller.share)}
       {session !== null && (
         <a class="item" target="_blank" rel="noopener" href={`examples/teleop/?session=${session}`}>
           {words.driveByHand}
         </a>
       )}
-      {item(words.roomTests.menu, desk.roomTests.open)}
-      {item(words.format, desk.format)}
-      {item(words.keys.menu, () => desk.store.dispatch({kind: "dialog", dialog: "keys"}))}
+      {item(words.roomTests.menu, controller.roomTests.open)}
+      {item(words.format, controller.format)}
+      {item(words.keys.menu, () => controller.store.dispatch({kind: "dialog", dialog: "keys"}))}
       <a class="item" target="_blank" rel="noopener" href={guidePage}>
         {words.guide.menu}
       </a>
@@ -90,14 +91,14 @@ function MenuItems({close}: {close: () => void}): VNode {
         label={words.theme}
         options={themes.map(t => [t, words.themes[t]])}
         value={theme}
-        choose={chosen => desk.store.dispatch({kind: "theme", theme: chosen})}
+        choose={chosen => controller.store.dispatch({kind: "theme", theme: chosen})}
       />
       <p class="label">{words.language}</p>
       <SegmentedControl
         label={words.language}
         options={Object.entries(languages).map(([language, name]) => [language, name] as const)}
         value={document.documentElement.lang}
-        choose={desk.chooseLanguage}
+        choose={controller.chooseLanguage}
       />
     </div>
   )

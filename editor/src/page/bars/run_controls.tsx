@@ -9,15 +9,15 @@ import {PlayIcon, RedoIcon, StopIcon, UndoIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
 
 export function UndoRedo(): VNode {
-  const desk = useController()
+  const controller = useController()
   const canUndo = usePageState(s => s.history.past.length > 0)
   const canRedo = usePageState(s => s.history.future.length > 0)
   return (
     <span class="pair">
-      <IconButton label={words.undo} disabled={!canUndo} onClick={() => desk.undo()}>
+      <IconButton label={words.undo} disabled={!canUndo} onClick={() => controller.undo()}>
         <UndoIcon />
       </IconButton>
-      <IconButton label={words.redo} disabled={!canRedo} onClick={() => desk.redo()}>
+      <IconButton label={words.redo} disabled={!canRedo} onClick={() => controller.redo()}>
         <RedoIcon />
       </IconButton>
     </span>
@@ -25,7 +25,7 @@ export function UndoRedo(): VNode {
 }
 
 export function RunButton(): VNode {
-  const desk = useController()
+  const controller = useController()
   const active = usePageState(s => isActive(s.run))
   // Until the robot answers; the mark appears by itself after half a second (controls.css).
   const busy = usePageState(
@@ -40,7 +40,7 @@ export function RunButton(): VNode {
       disabled={awaited}
       title={active ? words.stopHint : words.runHint}
       data-testid="run"
-      onClick={() => (active ? desk.store.dispatch({kind: "stop-pressed"}) : desk.run())}
+      onClick={() => (active ? controller.store.dispatch({kind: "stop-pressed"}) : controller.run())}
     >
       {active ? <StopIcon /> : <PlayIcon />}
       {/* The other word keeps the width, so that nothing moves. */}

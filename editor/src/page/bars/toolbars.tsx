@@ -13,7 +13,7 @@ import {MainMenu} from "./main_menu.tsx"
 import {RunButton, UndoRedo} from "./run_controls.tsx"
 
 export function TopBar(): VNode {
-  const desk = useController()
+  const controller = useController()
   const size = usePageState(s => s.size)
   const bar = useRef<HTMLElement>(null)
   const embedded = usePageState(s => s.embedded)
@@ -27,17 +27,17 @@ export function TopBar(): VNode {
       </h1>
       <ProgramName />
       {size !== "phone" && (
-        <button type="button" class="plain to-menu" onClick={() => desk.openLessons()}>
+        <button type="button" class="plain to-menu" onClick={() => controller.openLessons()}>
           {words.lessons.title}
         </button>
       )}
       {size !== "phone" && (
-        <button type="button" class="plain to-menu" onClick={() => desk.openGallery()}>
+        <button type="button" class="plain to-menu" onClick={() => controller.openGallery()}>
           {words.examples}
         </button>
       )}
       {size !== "phone" && (
-        <button type="button" class="plain my-programs" onClick={() => desk.openMyPrograms()}>
+        <button type="button" class="plain my-programs" onClick={() => controller.openMyPrograms()}>
           {words.myPrograms.title}
         </button>
       )}
@@ -76,7 +76,7 @@ const fullest = 4
 
 /// What an embedded page needs: the program's name, Run, and the way to a page of its own.
 function EmbeddedBar(): VNode {
-  const desk = useController()
+  const controller = useController()
   const size = usePageState(s => s.size)
   const name = usePageState(s => s.name)
   return (
@@ -87,7 +87,7 @@ function EmbeddedBar(): VNode {
       </h1>
       <span class="embedded-name">{name === "" ? words.unnamed : name}</span>
       <span class="space" />
-      <button type="button" class="plain" onClick={() => desk.openInRosy()}>
+      <button type="button" class="plain" onClick={() => controller.openInRosy()}>
         {words.share.openInRosy}
       </button>
       {size !== "phone" && <RunButton />}

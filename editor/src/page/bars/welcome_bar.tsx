@@ -11,7 +11,7 @@ import {words} from "../../words/index.ts"
 const firstLesson = "hello-robot"
 
 export function WelcomeBar(): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const step = usePageState(s => s.demonstration)
   const isAsking = usePageState(s => s.welcoming && !s.embedded)
   const {title, show, lesson, example, empty, steps, stop} = words.welcome
@@ -21,27 +21,27 @@ export function WelcomeBar(): VNode | null {
         <p aria-live="polite" data-testid="demonstration">
           {steps[step]}
         </p>
-        <button type="button" class="plain" onClick={desk.demonstrate}>
+        <button type="button" class="plain" onClick={controller.demonstrate}>
           {stop}
         </button>
       </section>
     )
   if (!isAsking) return <Invitation />
   const choices = [
-    {...show, choose: () => desk.demonstrate()},
-    {...lesson, choose: () => desk.openLesson(firstLesson)},
-    {...example, choose: () => desk.openGallery()},
-    {...empty, choose: () => desk.newProgram()},
+    {...show, choose: () => controller.demonstrate()},
+    {...lesson, choose: () => controller.openLesson(firstLesson)},
+    {...example, choose: () => controller.openGallery()},
+    {...empty, choose: () => controller.newProgram()},
   ]
   return (
     <section class="welcome" aria-label={title}>
       <h2>{title}</h2>
       <ul>
-        {choices.map(({name, says, choose}) => (
+        {choices.map(({name, description, choose}) => (
           <li key={name}>
             <button type="button" onClick={choose}>
               <b>{name}</b>
-              <span>{says}</span>
+              <span>{description}</span>
             </button>
           </li>
         ))}
@@ -50,7 +50,7 @@ export function WelcomeBar(): VNode | null {
         type="button"
         class="plain icon"
         aria-label={words.close}
-        onClick={() => desk.store.dispatch({kind: "welcoming", welcoming: false})}
+        onClick={() => controller.store.dispatch({kind: "welcoming", welcoming: false})}
       >
         <CloseIcon />
       </button>

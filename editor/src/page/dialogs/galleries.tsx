@@ -20,13 +20,13 @@ export function GalleryDialog(): VNode {
 
 function Examples(): VNode {
   const gallery = usePageState(s => s.gallery)
-  const desk = useController()
+  const controller = useController()
   const name = usePageState(s => s.name)
   if (gallery.kind === "failed")
     return (
       <p>
         {words.galleryFailed}{" "}
-        <button type="button" class="link" onClick={() => desk.openGallery()}>
+        <button type="button" class="link" onClick={() => controller.openGallery()}>
           {words.again}
         </button>
       </p>
@@ -54,7 +54,7 @@ function Examples(): VNode {
 
 /// The picture of its path and the first sentence of what it teaches; the rest on request.
 function ExampleCard({example, current}: {example: Example; current: boolean}): VNode {
-  const desk = useController()
+  const controller = useController()
   const [whole, setWhole] = useState(false)
   const teaches = wordedText(example.teaches)
   const [first = "", ...rest] = teaches.split(/(?<=[.!?])\s+/)
@@ -66,7 +66,7 @@ function ExampleCard({example, current}: {example: Example; current: boolean}): 
         class="opens"
         aria-current={current}
         title={whole ? undefined : teaches}
-        onClick={() => desk.openExample(example.name)}
+        onClick={() => controller.openExample(example.name)}
       >
         <PathPicture name={example.name} />
         <b>{title}</b>
@@ -91,18 +91,18 @@ function ExampleCard({example, current}: {example: Example; current: boolean}): 
 
 /// The room of an example and the path that the robot drives in it; empty until the service has computed it.
 function PathPicture({name}: {name: string}): VNode {
-  const desk = useController()
+  const controller = useController()
   const canvas = useRef<HTMLCanvasElement>(null)
   useLayoutEffect(() => {
     let isShown = true
-    void desk.examplePath(name).then(found => {
+    void controller.examplePath(name).then(found => {
       if (isShown && found !== null && canvas.current !== null)
         drawThumbnail(canvas.current, found.world, found.path)
     })
     return () => {
       isShown = false
     }
-  }, [desk, name])
+  }, [controller, name])
   return <canvas ref={canvas} />
 }
 

@@ -16,7 +16,7 @@ export function ShareDialog(): VNode {
 }
 
 function Shares(): VNode {
-  const desk = useController()
+  const controller = useController()
   const shared = usePageState(s => s.shared)
   const hasFilm = usePageState(s => s.room.run !== null && s.room.recording.length > 0)
   if (shared === null) return <p class="quiet">{words.share.making}</p>
@@ -31,14 +31,14 @@ function Shares(): VNode {
       {shared.code === null ? <p class="quiet">{words.share.noCode}</p> : <Code code={shared.code} />}
       <Copied label={words.share.embed} text={shared.embed} />
       <p>
-        <button type="button" class="plain" onClick={() => void desk.saveSharedPage()}>
+        <button type="button" class="plain" onClick={() => void controller.saveSharedPage()}>
           {words.share.page}
         </button>
         <br />
         <span class="quiet">{hasFilm ? words.share.pageHint : words.share.pageWithoutFilm}</span>
       </p>
       <p>
-        <button type="button" class="plain" onClick={() => desk.print()}>
+        <button type="button" class="plain" onClick={() => controller.print()}>
           {words.share.print}
         </button>
       </p>

@@ -122,7 +122,7 @@ function ToolBar({edit}: {edit: (event: WorldEdit) => void}): VNode {
 }
 
 function Sheet(): VNode {
-  const desk = useController()
+  const controller = useController()
   const canvas = useRef<HTMLCanvasElement>(null)
   const tool = usePageState(s => s.worldEditor?.tool ?? "choose")
   const told = usePageState(s => {
@@ -131,7 +131,10 @@ function Sheet(): VNode {
     if (editor.chosen !== null) return describePart(editor.world, editor.chosen)
     return editor.aim === null ? "" : words.world.aimAt(editor.aim)
   })
-  useLayoutEffect(() => (canvas.current === null ? undefined : desk.mountWorldEditor(canvas.current)), [desk])
+  useLayoutEffect(
+    () => (canvas.current === null ? undefined : controller.mountWorldEditor(canvas.current)),
+    [controller],
+  )
   return (
     <div class="sheet">
       {/* biome-ignore-start lint/a11y/noNoninteractiveTabindex: the room is drawn by keys too */}

@@ -20,8 +20,8 @@ export function ChartsPanel(): VNode {
 }
 
 function Charts(): VNode {
-  const desk = useController()
-  const {store} = desk
+  const controller = useController()
+  const {store} = controller
   const chosen = usePageState(s => s.charts)
   const span = usePageState(s => s.chartSpan)
   const recording = usePageState(s => s.room.recording)
@@ -98,7 +98,7 @@ function Charts(): VNode {
         ))}
       </fieldset>
       <p>
-        <button type="button" class="link" onClick={() => desk.saveTable()}>
+        <button type="button" class="link" onClick={() => controller.saveTable()}>
           {words.saveTable}
         </button>
       </p>

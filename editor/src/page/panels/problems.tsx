@@ -68,7 +68,7 @@ export function ProblemsPanel(): VNode {
 }
 
 function Card({finding}: {finding: Finding}): VNode {
-  const desk = useController()
+  const controller = useController()
   const document = usePageState(s => s.document)
   const idle = nothingRuns(document, finding)
   const fixes = [
@@ -99,7 +99,7 @@ function Card({finding}: {finding: Finding}): VNode {
       {finding.conflict === undefined && list}
       <div class="actions">
         {place && (
-          <button type="button" class="link" onClick={() => desk.showFinding(finding)}>
+          <button type="button" class="link" onClick={() => controller.showFinding(finding)}>
             {words.showIt}
           </button>
         )}

@@ -46,10 +46,10 @@ const nameOf = ({type}: ConnectionEnd) => (type === "()" ? words.diagram.list.ti
 
 /// The functions of the program as its text has them, read again when it changes.
 export function useWritten(): readonly WrittenFunction[] {
-  const desk = useController()
+  const controller = useController()
   usePageState(s => s.document.workspace)
   usePageState(s => s.diagram.drawings)
-  return desk.diagram.editing()?.written().functions ?? []
+  return controller.diagram.editing()?.written().functions ?? []
 }
 
 /// A column of ends beside the drawing. It stays folded where the program has wires already, so that the picture stays calm.
@@ -94,13 +94,13 @@ export function useConnectionDrag(
   stage: RefObject<HTMLElement>,
   ask: (proposal: Proposal, at: Point) => void,
 ): void {
-  const desk = useController()
+  const controller = useController()
   const answer = useRef(ask)
   answer.current = ask
   useEffect(() => {
     if (stage.current === null) return
     const propose = (from: ConnectionEnd, to: ConnectionEnd): Proposal =>
-      desk.diagram.editing()?.propose(from, to) ?? {kind: "refused", why: words.diagram.waiting}
+      controller.diagram.editing()?.propose(from, to) ?? {kind: "refused", why: words.diagram.waiting}
     return openConnectionDrag(stage.current, {
       verdict(from, to) {
         const proposal = propose(from, to)
@@ -110,12 +110,12 @@ export function useConnectionDrag(
       },
       dropped: (from, to, at) => answer.current(propose(from, to), at),
     })
-  }, [desk, stage])
+  }, [controller, stage])
 }
 
 /// Asks for the name of what is new and how an event joins others, in the place where the connection was dropped.
 export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}): VNode {
-  const desk = useController()
+  const controller = useController()
   const {proposal, at} = asked
   const [name, setName] = useState(proposal.name)
   const [joining, setJoining] = useState<Joining>(proposal.joinings[0] ?? "all")
@@ -140,7 +140,7 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const {connection, asks, joinings} = proposal
   const isEvent = connection.kind === "functions" || (connection.kind === "input" && connection.isEvent)
   const make = () => {
-    const refused = desk.diagram.editing()?.edit(actionOf(connection, name.trim(), joining)) ?? null
+    const refused = controller.diagram.editing()?.edit(actionOf(connection, name.trim(), joining)) ?? null
     setWhy(refused)
     if (refused === null) close()
   }
@@ -221,7 +221,7 @@ function Timeline({as, isEvent}: {as: Joining; isEvent: boolean}): VNode {
 
 /// What can be done with the function that is selected in any view.
 export function FunctionActions(): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const written = useWritten()
   const now = usePageState(s => selectedDefinition(s.document.program, s.selected))
   // A press of one of the buttons takes the focus from the blocks, and with it the selection.
@@ -239,7 +239,7 @@ export function FunctionActions(): VNode | null {
   if (found === undefined) return null
   const {edit} = words.diagram
   const act = (action: NetworkAction) => {
-    const refused = desk.diagram.editing()?.edit(action) ?? null
+    const refused = controller.diagram.editing()?.edit(action) ?? null
     setWhy(refused)
     return refused === null
   }
@@ -311,7 +311,7 @@ function cuttable({inputs}: WrittenFunction): readonly string[] {
 
 /// Functions that the program defines and does not run.
 export function StandingBeside(): VNode | null {
-  const desk = useController()
+  const controller = useController()
   const beside = useWritten().filter(f => !f.runs)
   const [why, setWhy] = useState<string | null>(null)
   if (beside.length === 0) return null
@@ -326,7 +326,7 @@ export function StandingBeside(): VNode | null {
           class="plain small"
           title={edit.join}
           aria-label={`${name}: ${edit.join}`}
-          onClick={() => setWhy(desk.diagram.editing()?.edit({kind: "join", function: name}) ?? null)}
+          onClick={() => setWhy(controller.diagram.editing()?.edit({kind: "join", function: name}) ?? null)}
         >
           {name}
         </button>
@@ -342,7 +342,7 @@ export function StandingBeside(): VNode | null {
 
 /// The list form of a drag: from where, and to where.
 export function ConnectionMenu({ask}: {ask: (proposal: Proposal, at: Point) => void}): VNode {
-  const desk = useController()
+  const controller = useController()
   const functions = useWritten().map((f): ConnectionEnd => ({kind: "function", type: f.name}))
   const stores = usePageStores()
   const [from, setFrom] = useState("")
@@ -376,7 +376,7 @@ export function ConnectionMenu({ask}: {ask: (proposal: Proposal, at: Point) => v
         disabled={start === undefined || end === undefined}
         onClick={event => {
           const {left, bottom} = event.currentTarget.getBoundingClientRect()
-          const editing = desk.diagram.editing()
+          const editing = controller.diagram.editing()
           if (start !== undefined && end !== undefined && editing !== null)
             ask(editing.propose(start, end), {x: left, y: bottom})
         }}

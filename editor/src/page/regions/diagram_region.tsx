@@ -22,7 +22,7 @@ import {
 import {RegionHeader} from "./region_header.tsx"
 
 export function DiagramRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
-  const desk = useController()
+  const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
   const {outcome} = usePageState(s => s.diagram)
@@ -42,8 +42,8 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   }
   useConnectionDrag(stage, ask)
   useLayoutEffect(() => {
-    if (host.current !== null) desk.mountDiagram(host.current)
-  }, [desk])
+    if (host.current !== null) controller.mountDiagram(host.current)
+  }, [controller])
   const {diagram} = words
   const message = {waiting: diagram.waiting, empty: diagram.empty, failed: diagram.failed, drawn: null}[
     outcome
@@ -59,7 +59,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
           type="button"
           class="plain small"
           title={diagram.tidyHint}
-          onClick={() => desk.diagram.tidy()}
+          onClick={() => controller.diagram.tidy()}
         >
           {diagram.tidy}
         </button>
@@ -69,7 +69,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
           class="plain small"
           aria-label={diagram.saveSvg}
           title={diagram.saveSvg}
-          onClick={() => desk.diagram.saveSvg()}
+          onClick={() => controller.diagram.saveSvg()}
         >
           SVG
         </button>
@@ -78,7 +78,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
           class="plain small"
           aria-label={diagram.savePng}
           title={diagram.savePng}
-          onClick={() => desk.diagram.savePng()}
+          onClick={() => controller.diagram.savePng()}
         >
           PNG
         </button>
@@ -127,11 +127,11 @@ function NodeQuestions(): VNode | null {
 }
 
 function DiagramList(): VNode {
-  const desk = useController()
+  const controller = useController()
   // A new drawing is a new list.
   usePageState(s => s.diagram.drawings)
   const answer = usePageState(s => s.why.open?.answer ?? null)
-  const lines = desk.diagram.list(answer === null ? noPath : causalPath(answer))
+  const lines = controller.diagram.list(answer === null ? noPath : causalPath(answer))
   return (
     <ul class="diagram-list" onKeyDown={event => moveInList(event)}>
       {lines.map(({id, depth, text, isMarked}) => (
@@ -139,7 +139,7 @@ function DiagramList(): VNode {
           <button
             type="button"
             class={isMarked ? "item why" : "item"}
-            onClick={() => desk.diagram.choose(id)}
+            onClick={() => controller.diagram.choose(id)}
           >
             {text}
           </button>

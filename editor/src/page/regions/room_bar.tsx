@@ -9,8 +9,8 @@ import {nameOfRoom} from "../dialogs/galleries.tsx"
 import {DragHandle, HideButton} from "./region_header.tsx"
 
 export function RoomBar(): VNode {
-  const desk = useController()
-  const {store} = desk
+  const controller = useController()
+  const {store} = controller
   const name = usePageState(s => (s.room.world === null ? "" : nameOfRoom(s.room.world)))
   const muted = usePageState(s => s.muted)
   const there = usePageState(s => s.room.world !== null)
@@ -27,7 +27,7 @@ export function RoomBar(): VNode {
           class="plain room-choice"
           aria-label={words.world.choose(name)}
           title={words.world.choose(name)}
-          onClick={() => desk.openRooms()}
+          onClick={() => controller.openRooms()}
         >
           <span>{name}</span>
           <ChevronIcon />

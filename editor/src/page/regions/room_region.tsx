@@ -16,13 +16,13 @@ import {RoomViewControls} from "./room_view_controls.tsx"
 import {ContinueBar, TimeBar} from "./time_bar.tsx"
 
 export function RoomRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
-  const desk = useController()
+  const controller = useController()
   const canvas = useRef<HTMLCanvasElement>(null)
   const world = usePageState(s => s.room.world?.name ?? "")
   const held = usePageState(s => s.robots.held?.name ?? null)
   useLayoutEffect(() => {
-    if (canvas.current !== null) desk.mountRoom(canvas.current)
-  }, [desk])
+    if (canvas.current !== null) controller.mountRoom(canvas.current)
+  }, [controller])
   return (
     <section class="region room" aria-label={words.room} hidden={!shown} style={style}>
       <div class="room-parts">

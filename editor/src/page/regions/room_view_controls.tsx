@@ -11,15 +11,15 @@ import {words} from "../../words/index.ts"
 const trails: readonly TrailStyle[] = ["plain", "speed", "time"]
 
 export function RoomViewControls(): VNode {
-  const desk = useController()
-  const {store} = desk
+  const controller = useController()
+  const {store} = controller
   const follows = usePageState(s => s.follows)
   const films = usePageState(s => s.films)
   return (
     <>
       <Legend />
       {films && (
-        <button type="button" class="hand filming" onClick={() => desk.setRecording(false)}>
+        <button type="button" class="hand filming" onClick={() => controller.setRecording(false)}>
           <StopIcon />
           {words.endFilm}
         </button>
@@ -34,10 +34,10 @@ export function RoomViewControls(): VNode {
         >
           <FollowIcon />
         </IconButton>
-        <IconButton label={words.further} class="hand icon" onClick={() => desk.zoomRoom(0.8)}>
+        <IconButton label={words.further} class="hand icon" onClick={() => controller.zoomRoom(0.8)}>
           <FurtherIcon />
         </IconButton>
-        <IconButton label={words.closer} class="hand icon" onClick={() => desk.zoomRoom(1.25)}>
+        <IconButton label={words.closer} class="hand icon" onClick={() => controller.zoomRoom(1.25)}>
           <CloserIcon />
         </IconButton>
         <RoomViewMenu />
@@ -47,8 +47,8 @@ export function RoomViewControls(): VNode {
 }
 
 function RoomViewMenu(): VNode {
-  const desk = useController()
-  const {store} = desk
+  const controller = useController()
+  const {store} = controller
   const {open, box, button, toggle} = usePopup("sight")
   const trail = usePageState(s => s.trail)
   const films = usePageState(s => s.films)
@@ -105,9 +105,10 @@ function RoomViewMenu(): VNode {
             />
             {words.why.values}
           </label>
-          {item(words.wholeRoom, desk.fitRoom)}
-          {item(words.savePicture, desk.savePicture)}
-          {canRecord() && item(films ? words.endFilm : words.startFilm, () => desk.setRecording(!films))}
+          {item(words.wholeRoom, controller.fitRoom)}
+          {item(words.savePicture, controller.savePicture)}
+          {canRecord() &&
+            item(films ? words.endFilm : words.startFilm, () => controller.setRecording(!films))}
         </div>
       )}
     </div>

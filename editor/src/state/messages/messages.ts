@@ -13,7 +13,7 @@ import type {World} from "../../worlds/world.ts"
 import type {Preview} from "./preview.ts"
 import type {Explanation} from "./why_state.ts"
 
-/// One picture of the robot: ground truth in room coordinates, and what its channels say. In a message only what has changed.
+/// State of the robot at one time: ground truth in room coordinates, and the values of its channels. A message has only values that changed.
 export type Frame = Omit<ShownFrame, "op" | "pose" | "firings" | "times"> &
   PoseShown &
   Partial<Pick<ShownFrame, "firings" | "times">>

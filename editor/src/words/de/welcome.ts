@@ -4,10 +4,10 @@ import type {Words} from "../index.ts"
 
 export const welcome: Words["welcome"] = {
   title: "Wie möchtest du anfangen?",
-  show: {name: "Zeig es mir", says: "Sieh zu, wie ein Programm entsteht: 20 Sekunden."},
-  lesson: {name: "Lektion 1", says: "Mach es selbst, Schritt für Schritt."},
-  example: {name: "Mit einem Beispiel anfangen", says: "Öffne ein fertiges Programm und ändere es."},
-  empty: {name: "Leeres Programm", says: "Baue etwas Eigenes."},
+  show: {name: "Zeig es mir", description: "Sieh zu, wie ein Programm entsteht: 20 Sekunden."},
+  lesson: {name: "Lektion 1", description: "Mach es selbst, Schritt für Schritt."},
+  example: {name: "Mit einem Beispiel anfangen", description: "Öffne ein fertiges Programm und ändere es."},
+  empty: {name: "Leeres Programm", description: "Baue etwas Eigenes."},
   demonstration: "Zeig es mir",
   steps: [
     "Das ist ein leeres Programm. simuliere führt aus, was darin liegt.",

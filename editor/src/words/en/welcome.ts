@@ -2,10 +2,10 @@
 
 export const welcome = {
   title: "How do you want to begin?",
-  show: {name: "Show me", says: "Watch a program being built: 20 seconds."},
-  lesson: {name: "Lesson 1", says: "Do it yourself, step by step."},
-  example: {name: "Start with an example", says: "Open a program that works and change it."},
-  empty: {name: "Empty program", says: "Build something of your own."},
+  show: {name: "Show me", description: "Watch a program being built: 20 seconds."},
+  lesson: {name: "Lesson 1", description: "Do it yourself, step by step."},
+  example: {name: "Start with an example", description: "Open a program that works and change it."},
+  empty: {name: "Empty program", description: "Build something of your own."},
   /// Name of the program that the demonstration builds.
   demonstration: "Show me",
   /// What each step of the demonstration shows.

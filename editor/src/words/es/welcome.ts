@@ -4,10 +4,10 @@ import type {Words} from "../index.ts"
 
 export const welcome: Words["welcome"] = {
   title: "¿Cómo quieres empezar?",
-  show: {name: "Enséñame", says: "Mira cómo se construye un programa: 20 segundos."},
-  lesson: {name: "Lección 1", says: "Hazlo tú, paso a paso."},
-  example: {name: "Empezar con un ejemplo", says: "Abre un programa que funciona y cámbialo."},
-  empty: {name: "Programa vacío", says: "Construye algo tuyo."},
+  show: {name: "Enséñame", description: "Mira cómo se construye un programa: 20 segundos."},
+  lesson: {name: "Lección 1", description: "Hazlo tú, paso a paso."},
+  example: {name: "Empezar con un ejemplo", description: "Abre un programa que funciona y cámbialo."},
+  empty: {name: "Programa vacío", description: "Construye algo tuyo."},
   demonstration: "Enséñame",
   steps: [
     "Este es un programa vacío. simular ejecuta lo que se pone dentro.",

@@ -4,10 +4,10 @@ import type {Words} from "../index.ts"
 
 export const welcome: Words["welcome"] = {
   title: "Comment veux-tu commencer ?",
-  show: {name: "Montre-moi", says: "Regarde un programme se construire : 20 secondes."},
-  lesson: {name: "Leçon 1", says: "Fais-le toi-même, pas à pas."},
-  example: {name: "Commencer par un exemple", says: "Ouvre un programme qui marche et change-le."},
-  empty: {name: "Programme vide", says: "Construis quelque chose à toi."},
+  show: {name: "Montre-moi", description: "Regarde un programme se construire : 20 secondes."},
+  lesson: {name: "Leçon 1", description: "Fais-le toi-même, pas à pas."},
+  example: {name: "Commencer par un exemple", description: "Ouvre un programme qui marche et change-le."},
+  empty: {name: "Programme vide", description: "Construis quelque chose à toi."},
   demonstration: "Montre-moi",
   steps: [
     "Voici un programme vide. simuler lance ce qu'on y met.",

@@ -4,10 +4,10 @@ import type {Words} from "../index.ts"
 
 export const welcome: Words["welcome"] = {
   title: "Como você quer começar?",
-  show: {name: "Mostre para mim", says: "Veja um programa ser montado: 20 segundos."},
-  lesson: {name: "Lição 1", says: "Faça você mesmo, passo a passo."},
-  example: {name: "Começar com um exemplo", says: "Abra um programa que funciona e mude."},
-  empty: {name: "Programa vazio", says: "Monte algo seu."},
+  show: {name: "Mostre para mim", description: "Veja um programa ser montado: 20 segundos."},
+  lesson: {name: "Lição 1", description: "Faça você mesmo, passo a passo."},
+  example: {name: "Começar com um exemplo", description: "Abra um programa que funciona e mude."},
+  empty: {name: "Programa vazio", description: "Monte algo seu."},
   demonstration: "Mostre para mim",
   steps: [
     "Este é um programa vazio. simule executa o que se põe dentro.",

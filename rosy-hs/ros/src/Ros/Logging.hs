@@ -66,7 +66,7 @@ processLogger :: IORef (Maybe Logger)
 processLogger = unsafePerformIO (newIORef Nothing)
 {-# NOINLINE processLogger #-}
 
--- | What is logged before a node logs is printed when it is grave, and otherwise nobody wants it.
+-- | Before a node logs, warnings and errors are printed and other messages are dropped.
 logHere :: HasCallStack => LogLevel -> String -> IO ()
 logHere level text = readIORef processLogger >>= maybe (printFrom (Just Warn) level text) (\logger -> say callStack logger level text)
 

@@ -35,7 +35,7 @@ callService name request = do
     Left why -> pure (Left (MasterExcept (explainNodeError why)))
     Right address -> do
       let naming = namingOf settings (programName settings)
-          -- It has no server of its own, and nobody asks for one: it registers nothing.
+          -- The address of a node that serves nothing: a lookup of a service registers nothing at the master.
           asker = Master address (ownName naming) (Uri "" 0)
       first inRoshask . join <$> connectService asker False (srvTypeName request, srvMD5 request) (resolve naming name) ($ request)
 

@@ -37,7 +37,7 @@ export function nearestFreePlace(
 const margin = 12
 
 /// How far right `box` has to move to be seen whole, or from its left edge on where it is wider than the view. Pure.
-export function moveIntoView(box: Pick<Box, "left" | "right">, view: Pick<Box, "left" | "right">): number {
+export function shiftIntoView(box: Pick<Box, "left" | "right">, view: Pick<Box, "left" | "right">): number {
   if (box.left >= view.left && box.right <= view.right) return 0
   const width = box.right - box.left
   return Math.max(view.left + margin, Math.min(box.left, view.right - margin - width)) - box.left

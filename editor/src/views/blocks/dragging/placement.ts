@@ -6,7 +6,7 @@ import * as Blockly from "blockly/core"
 import {shapeOf} from "../construction/block_definitions.ts"
 import {giveUniqueNames} from "../construction/unique_names.ts"
 import {beginMovement, endMovement, type FitChecker, Movement} from "./connection_checker.ts"
-import {type Box, moveIntoView, nearestFreePlace} from "./free_place.ts"
+import {type Box, nearestFreePlace, shiftIntoView} from "./free_place.ts"
 import {arbitrateInProgram, joinProgram} from "./program_membership.ts"
 import {insertReference} from "./reference_drop.ts"
 
@@ -32,7 +32,7 @@ export function moveToFreePlace(block: Blockly.BlockSvg, isNew: boolean): void {
   Blockly.renderManagement.triggerQueuedRenders(block.workspace)
   if (isNew) {
     const view = block.workspace.getMetricsManager().getViewMetrics(true)
-    const aside = moveIntoView(block.getBoundingRectangle(), {
+    const aside = shiftIntoView(block.getBoundingRectangle(), {
       left: view.left,
       right: view.left + view.width,
     })

@@ -63,15 +63,15 @@ export function insertByClick(
   put: (block: Blockly.serialization.blocks.State) => void,
 ): () => void {
   return onStill(workspace, "pointerup", (event, down) => {
-    const shelf = workspace.getFlyout()?.getWorkspace()
-    if (down.button !== 0 || shelf === undefined) return
+    const programStore = workspace.getFlyout()?.getWorkspace()
+    if (down.button !== 0 || programStore === undefined) return
     const picture =
       event.target instanceof Element && event.target.closest(".blocklyFlyout .blocklyDraggable")
     const id = picture instanceof Element ? picture.getAttribute("data-id") : null
-    const block = id === null ? null : shelf.getBlockById(id)
+    const block = id === null ? null : programStore.getBlockById(id)
     if (block === null || !block.isEnabled()) return
     const saved = Blockly.serialization.blocks.save(block.getRootBlock(), {saveIds: false})
-    shelf.cancelCurrentGesture()
+    programStore.cancelCurrentGesture()
     workspace.cancelCurrentGesture()
     if (saved !== null) put(saved)
   })
