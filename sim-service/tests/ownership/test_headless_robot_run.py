@@ -34,7 +34,7 @@ def test_a_program_drives_a_robot_until_it_bumps_and_is_done(config: Config, cap
         async with serving(config) as (address, _), opened(address) as page:
             hello = await page.op("hello")
             await page.send("input", teleport={"x": 4.7, "y": 2.0, "theta": 0.0})
-            robots.put(f"ws://{address}/rosbridge/{hello['session']}?safety=off")
+            robots.put(f"ws://{address}/rosbridge/{hello['session']}?safety=off&rearm=off")
             await _sees(page)
             await asyncio.to_thread(through.wait)
 

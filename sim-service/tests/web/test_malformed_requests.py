@@ -193,15 +193,16 @@ def _request(first: str, headers: Sequence[str], body: bytes = b"") -> bytes:
     return "\r\n".join([first, *filter(None, headers)]).encode("latin-1") + b"\r\n\r\n" + body
 
 
-async def _status(port: int, request: bytes) -> bytes:
+async def _status(port: int, request: bytes, is_whole: bool = False) -> bytes:
     """The first line of the answer; nothing when the connection was closed or the request is not complete."""
     reader, writer = await asyncio.open_connection("127.0.0.1", port)
     try:
         with contextlib.suppress(ConnectionError):
             writer.write(request)
             await writer.drain()
-            # Answers, or ends, what a broken head has left incomplete.
-            writer.write_eof()
+            # Answers, or ends, what a broken head has left incomplete; the server may then close without an answer.
+            if not is_whole:
+                writer.write_eof()
             async with asyncio.timeout(PATIENCE):
                 return await reader.readline()
         return b""
@@ -229,7 +230,7 @@ def test_every_route_answers_malformed_requests_and_messages(config: Config, cap
                     answer = await _status(port, request)
                     assert not answer.startswith(b"HTTP/1.1 500"), request[:300]
                 assert "Traceback" not in capfd.readouterr().err, route
-                assert (await _status(port, health)).startswith(b"HTTP/1.1 200"), route
+                assert (await _status(port, health, is_whole=True)).startswith(b"HTTP/1.1 200"), route
             async with connect(f"ws://127.0.0.1:{port}/api/session", **UNHURRIED) as page:
                 hello = json.loads(await page.recv())
                 opening = {
@@ -244,7 +245,7 @@ def test_every_route_answers_malformed_requests_and_messages(config: Config, cap
                                 await _talk(port, path, opening.get(path), body, is_text)
                                 said = capfd.readouterr().err
                                 assert "Traceback" not in said, (path, body[:100], is_text, said)
-                assert (await _status(port, health)).startswith(b"HTTP/1.1 200")
+                assert (await _status(port, health, is_whole=True)).startswith(b"HTTP/1.1 200")
 
     asyncio.run(tell())
     assert "Traceback" not in capfd.readouterr().err

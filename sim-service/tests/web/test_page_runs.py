@@ -76,6 +76,19 @@ def test_the_simulated_robot_stands_however_a_program_ends(source: str, config: 
     story(play, config.with_limits(impatient) if "hang" in source else config)
 
 
+@pytest.mark.parametrize("choice", [{"op": "reset"}, {"op": "world", "world": "maze"}], ids=["reset", "room"])
+def test_the_clock_of_a_room_begins_at_zero_after_a_run(choice: dict[str, str], config: Config) -> None:
+    async def play(page: Page, _: Service) -> None:
+        await page.send("run", run=1, source="drive:0.2 done@30", seed=1, speed="max")
+        await page.ended(1)
+        await page.send(**choice)
+        await page.op("world")
+        frame = await page.op("frame")
+        assert (frame["time"], frame["step"], frame["fired"]) == (0.0, 0, [])
+
+    story(play, config)
+
+
 def test_what_fired_at_the_end_is_shown(config: Config) -> None:
     async def play(page: Page, _: Service) -> None:
         await page.send("run", run=1, source="done@3", speed="max")

@@ -82,7 +82,7 @@ def public(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[int, int,
             .replace("127.0.0.1:8080", f"127.0.0.1:{behind}")
         )
         # No certificate of a public authority, and no other port.
-        settings = "{\n\tadmin off\n\tskip_install_trust\n\tauto_https disable_redirects\n}\n"
+        settings = "{\n\tdebug\n\tadmin off\n\tskip_install_trust\n\tauto_https disable_redirects\n}\n"
         (folder / "Caddyfile").write_text(settings + site.replace("{\n", "{\n\ttls internal\n", 1))
         caddy = stack.enter_context(
             subprocess.Popen(
@@ -94,8 +94,8 @@ def public(tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[int, int,
         )
         stack.callback(caddy.terminate)
         assert caddy.stderr is not None
-        # It serves at once, and makes its certificate meanwhile: a connection before that is refused.
-        missing = {"serving initial configuration", "certificate obtained successfully"}
+        # It serves at once, and makes its certificate meanwhile: a connection before it has that at hand is refused.
+        missing = {"serving initial configuration", "added certificate to cache"}
         for line in caddy.stderr:
             missing = {event for event in missing if event not in line}
             if not missing:

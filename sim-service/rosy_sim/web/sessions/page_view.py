@@ -127,10 +127,8 @@ class PageView:
     # The room
 
     def show_room(self, room: Room) -> None:
-        """Show another room."""
-        self._room = room
-        self._boxes = []
-        self._forget_channels()
+        """Show another room, as it is before a run."""
+        self.reset(room)
         self._send_room()
 
     def reset(self, room: Room) -> None:
