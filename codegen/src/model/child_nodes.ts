@@ -1,6 +1,6 @@
 /// A node's direct parts, in reading order.
 
-import type {Declaration, Node, RightSide} from "./syntax_tree.ts"
+import type {Declaration, Expr, Node, Pattern, RightSide} from "./syntax_tree.ts"
 import {unreachable} from "./syntax_tree.ts"
 
 export function childrenOf(node: Node): readonly Node[] {
@@ -21,11 +21,45 @@ export function childrenOf(node: Node): readonly Node[] {
       return node.fields.map(f => f.type)
     case "synonym":
       return [node.type]
+    case "instance":
+      return node.declarations
+    case "alternative":
+      return [node.pattern, ...rightParts(node.right)]
+    case "bind":
+      return [node.pattern, node.expr]
+    case "let-statement":
+      return node.declarations
+    case "statement":
+      return [node.expr]
+    case "raw-declaration":
+    case "type":
+      return []
+    case "name-pattern":
+    case "wildcard":
+    case "number-pattern":
+    case "string-pattern":
+    case "character-pattern":
+    case "raw-pattern":
+    case "tuple-pattern":
+    case "list-pattern":
+    case "constructor-pattern":
+    case "infix-pattern":
+    case "as-pattern":
+    case "record-pattern":
+    case "strictness-pattern":
+    case "view-pattern":
+    case "typed-pattern":
+      return patternParts(node)
+    default:
+      return expressionParts(node)
+  }
+}
+
+function expressionParts(node: Expr): readonly Node[] {
+  switch (node.kind) {
     case "apply":
       return [node.fn, ...node.args]
     case "infix":
-      return [node.left, node.right]
-    case "infix-pattern":
       return [node.left, node.right]
     case "negate":
       return [node.expr]
@@ -35,24 +69,18 @@ export function childrenOf(node: Node): readonly Node[] {
       return [...node.parameters, node.body]
     case "if":
       return [node.condition, node.yes, node.no]
-    case "instance":
-      return node.declarations
     case "branches":
       return node.branches
     case "lambda-case":
       return node.alternatives
     case "case":
       return [node.scrutinee, ...node.alternatives]
-    case "alternative":
-      return [node.pattern, ...rightParts(node.right)]
     case "let":
       return [...node.declarations, node.body]
     case "do":
       return node.statements
     case "tuple":
     case "list":
-    case "tuple-pattern":
-    case "list-pattern":
       return node.items
     case "range":
       return [
@@ -70,26 +98,6 @@ export function childrenOf(node: Node): readonly Node[] {
       return node.fields.map(f => f.value)
     case "update":
       return [node.record, ...node.fields.map(f => f.value)]
-    case "bind":
-      return [node.pattern, node.expr]
-    case "let-statement":
-      return node.declarations
-    case "statement":
-      return [node.expr]
-    case "constructor-pattern":
-      return node.args
-    case "as-pattern":
-      return [node.pattern]
-    case "record-pattern":
-      return node.fields.map(f => f.pattern)
-    case "strictness-pattern":
-      return [node.pattern]
-    case "view-pattern":
-      return [node.expr, node.pattern]
-    case "typed-pattern":
-      return [node.pattern, node.type]
-    case "raw-declaration":
-    case "type":
     case "variable":
     case "constructor-name":
     case "number":
@@ -98,6 +106,30 @@ export function childrenOf(node: Node): readonly Node[] {
     case "hole":
     case "gap":
     case "raw":
+      return []
+    default:
+      return unreachable(node)
+  }
+}
+
+function patternParts(node: Pattern): readonly Node[] {
+  switch (node.kind) {
+    case "tuple-pattern":
+    case "list-pattern":
+      return node.items
+    case "constructor-pattern":
+      return node.args
+    case "infix-pattern":
+      return [node.left, node.right]
+    case "as-pattern":
+    case "strictness-pattern":
+      return [node.pattern]
+    case "record-pattern":
+      return node.fields.map(f => f.pattern)
+    case "view-pattern":
+      return [node.expr, node.pattern]
+    case "typed-pattern":
+      return [node.pattern, node.type]
     case "name-pattern":
     case "wildcard":
     case "number-pattern":

@@ -182,10 +182,8 @@ function visit(e: Expr, scope: Scope, uses: Use[]): void {
       return
     case "negate":
     case "typed":
-      visit(e.expr, scope, uses)
-      return
     case "type-apply":
-      visit(e.fn, scope, uses)
+      visit(e.kind === "type-apply" ? e.fn : e.expr, scope, uses)
       return
     case "lambda":
       visit(e.body, visitPatterns(e.parameters, scope, uses), uses)

@@ -81,29 +81,9 @@ export function inferPattern(s: InferenceState, p: Pattern, type: Type, scope: S
       scope.set(p.name, mono(type))
       inferPattern(s, p.pattern, type, scope)
       return
-    case "record-pattern": {
-      const info = s.env.constructors.get(p.name)
-      const restNames = p.rest !== true ? [] : (info?.fieldNames ?? []).filter(n => n !== undefined)
-      const isListed = (name: string) => p.fields.some(f => f.name === name)
-      if (info === undefined || info.scheme.unknown === true) {
-        if (info === undefined && !isPossiblyImported(s, p.name))
-          s.problems.push({kind: "unknown-name", node: p, name: p.name})
-        s.holes.push(type)
-        for (const f of p.fields) inferPattern(s, f.pattern, unknownType(s), scope)
-        for (const name of restNames) if (!isListed(name)) scope.set(name, mono(unknownType(s)))
-        return
-      }
-      const {fields, result} = openConstructor(s, info.scheme, info.fields.length, p)
-      unifyAt(s, type, result, p)
-      for (const f of p.fields) {
-        const at = info.fieldNames.indexOf(f.name)
-        if (at < 0) s.problems.push({kind: "unknown-name", node: p, name: f.name})
-        inferField(s, f.pattern, fields[at] ?? freshMeta(s), scope)
-      }
-      for (const name of restNames)
-        if (!isListed(name)) scope.set(name, mono(fields[info.fieldNames.indexOf(name)] ?? unknownType(s)))
+    case "record-pattern":
+      inferRecordPattern(s, p, type, scope)
       return
-    }
     case "strictness-pattern":
       inferPattern(s, p.pattern, type, scope)
       return
@@ -123,12 +103,7 @@ export function inferPattern(s: InferenceState, p: Pattern, type: Type, scope: S
     }
     case "raw-pattern":
       s.holes.push(type)
-      for (const [name] of p.text.matchAll(/(?<![\p{L}\p{N}_'])[\p{Ll}_][\p{L}\p{N}_']*/gu))
-        scope.set(name, mono(unknownType(s)))
-      // Two dots name all parts of a record.
-      for (const [, name = ""] of p.text.matchAll(/([\p{Lu}][\p{L}\p{N}_']*)\s*\{[^{}]*\.\.\s*\}/gu))
-        for (const field of s.env.constructors.get(name)?.fieldNames ?? [])
-          if (field !== undefined) scope.set(field, mono(unknownType(s)))
+      bindRawNames(s, p.text, scope)
       return
     default:
       unreachable(p)
@@ -165,6 +140,44 @@ function inferConstructorPattern(
     })
   unifyAt(s, type, result, p)
   for (const [i, a] of p.args.entries()) inferField(s, a, fields[i] ?? freshMeta(s), scope)
+}
+
+function inferRecordPattern(
+  s: InferenceState,
+  p: Pattern & {kind: "record-pattern"},
+  type: Type,
+  scope: Scope,
+): void {
+  const info = s.env.constructors.get(p.name)
+  const restNames = p.rest !== true ? [] : (info?.fieldNames ?? []).filter(n => n !== undefined)
+  const isListed = (name: string) => p.fields.some(f => f.name === name)
+  if (info === undefined || info.scheme.unknown === true) {
+    if (info === undefined && !isPossiblyImported(s, p.name))
+      s.problems.push({kind: "unknown-name", node: p, name: p.name})
+    s.holes.push(type)
+    for (const f of p.fields) inferPattern(s, f.pattern, unknownType(s), scope)
+    for (const name of restNames) if (!isListed(name)) scope.set(name, mono(unknownType(s)))
+    return
+  }
+  const {fields, result} = openConstructor(s, info.scheme, info.fields.length, p)
+  unifyAt(s, type, result, p)
+  for (const f of p.fields) {
+    const at = info.fieldNames.indexOf(f.name)
+    if (at < 0) s.problems.push({kind: "unknown-name", node: p, name: f.name})
+    inferField(s, f.pattern, fields[at] ?? freshMeta(s), scope)
+  }
+  for (const name of restNames)
+    if (!isListed(name)) scope.set(name, mono(fields[info.fieldNames.indexOf(name)] ?? unknownType(s)))
+}
+
+/// The names that raw Haskell may bind.
+function bindRawNames(s: InferenceState, text: string, scope: Scope): void {
+  for (const [name] of text.matchAll(/(?<![\p{L}\p{N}_'])[\p{Ll}_][\p{L}\p{N}_']*/gu))
+    scope.set(name, mono(unknownType(s)))
+  // Two dots name all parts of a record.
+  for (const [, name = ""] of text.matchAll(/([\p{Lu}][\p{L}\p{N}_']*)\s*\{[^{}]*\.\.\s*\}/gu))
+    for (const field of s.env.constructors.get(name)?.fieldNames ?? [])
+      if (field !== undefined) scope.set(field, mono(unknownType(s)))
 }
 
 /// A field whose type only GHC knows may have several types, one at each use (`forall`).

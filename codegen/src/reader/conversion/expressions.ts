@@ -76,11 +76,8 @@ function convert(node: Syntax, r: Reading): Expr | Cause {
       return readSection(node, r)
     case "lambda":
       return readLambda(node, r)
-    case "conditional": {
-      const [condition, yes, no] = ["if", "then", "else"].map(f => child(node, f))
-      if (condition === undefined || yes === undefined || no === undefined) return "expression"
-      return at({kind: "if", condition: readExpr(condition, r), yes: readExpr(yes, r), no: readExpr(no, r)})
-    }
+    case "conditional":
+      return readConditional(node, r)
     case "case":
       return readCase(node, r)
     case "let_in": {
@@ -95,25 +92,16 @@ function convert(node: Syntax, r: Reading): Expr | Cause {
       if (statements[statements.length - 1]?.kind !== "statement") context.whole = "broken"
       return at({kind: "do", statements})
     }
-    case "tuple": {
+    case "tuple":
       return at({kind: "tuple", items: readTupleItems(node, r)})
-    }
     case "list":
       return at({kind: "list", items: childrenIn(node, "element").map(e => readExpr(e, r))})
     case "arithmetic_sequence":
       return readRange(node, r)
     case "list_comprehension":
       return readComprehension(node, r)
-    case "signature": {
-      const inner = child(node, "expression")
-      const type = child(node, "type")
-      if (inner === undefined || type === undefined) return "expression"
-      return at({
-        kind: "typed",
-        expr: readExpr(inner, r),
-        type: context.at(type, {kind: "type", text: context.typeText(type)}),
-      })
-    }
+    case "signature":
+      return readTyped(node, r)
     case "record":
       return readRecord(node, r)
     case "lambda_case": {
@@ -127,6 +115,29 @@ function convert(node: Syntax, r: Reading): Expr | Cause {
     default:
       return "expression"
   }
+}
+
+function readConditional(node: Syntax, r: Reading): Expr | Cause {
+  const [condition, yes, no] = ["if", "then", "else"].map(f => child(node, f))
+  if (condition === undefined || yes === undefined || no === undefined) return "expression"
+  return r.context.at(node, {
+    kind: "if",
+    condition: readExpr(condition, r),
+    yes: readExpr(yes, r),
+    no: readExpr(no, r),
+  })
+}
+
+function readTyped(node: Syntax, r: Reading): Expr | Cause {
+  const {context} = r
+  const inner = child(node, "expression")
+  const type = child(node, "type")
+  if (inner === undefined || type === undefined) return "expression"
+  return context.at(node, {
+    kind: "typed",
+    expr: readExpr(inner, r),
+    type: context.at(type, {kind: "type", text: context.typeText(type)}),
+  })
 }
 
 function word(name: string, at: (e: Expr) => Expr): Expr | Cause {

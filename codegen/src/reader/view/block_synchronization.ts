@@ -44,14 +44,7 @@ export function syncBlocks(
   const now = tops
     .filter(b => blockView(b.type)?.meaning.as === "definition")
     .flatMap(top => chain(top).map((b, i) => alone(b, top, i)))
-  const byId = new Map(view.declarations.map(s => [s.block.id, s]))
-  const found = new Map<Shown, SavedBlock>()
-  const added: SavedBlock[] = []
-  for (const b of now) {
-    const shown = byId.get(b.id)
-    if (shown === undefined || found.has(shown)) added.push(b)
-    else found.set(shown, b)
-  }
+  const {found, added} = pairedWith(view, now)
   const changed = view.declarations.filter(s => {
     const b = found.get(s)
     // The very same value says the same; to compare thousands of blocks at each edit would be felt.
@@ -135,6 +128,22 @@ export function syncBlocks(
   if (unsaid.length === 0)
     return {...settled, ...(deriving.size === 0 ? {} : {remade: true}), earlier: earlierOf(view)}
   return {...view, refused: unsaid.map(({block}) => (block && nameOf(block)) ?? "_"), inexpressible: true}
+}
+
+/// The blocks that show a definition of the view, and those that are new.
+function pairedWith(
+  view: View,
+  blocks: readonly SavedBlock[],
+): {readonly found: Map<Shown, SavedBlock>; readonly added: readonly SavedBlock[]} {
+  const byId = new Map(view.declarations.map(s => [s.block.id, s]))
+  const found = new Map<Shown, SavedBlock>()
+  const added: SavedBlock[] = []
+  for (const b of blocks) {
+    const shown = byId.get(b.id)
+    if (shown === undefined || found.has(shown)) added.push(b)
+    else found.set(shown, b)
+  }
+  return {found, added}
 }
 
 /// Edits of the blocks whose blocks can be put back.

@@ -63,152 +63,111 @@ export function isNumberAsCommand({name, type}: Constraint): boolean {
 
 const numberTypes: ReadonlySet<string> = new Set(["Double", "Float", "Int", "Integer", "Word"])
 
-/// What is wrong, and why or what to do: two short sentences. `what` names the block it is about.
-export function problemMessage(
-  problem: TypeProblem,
-  what: string,
-): {kind: string; message: string; hint: string} {
-  switch (problem.kind) {
-    case "mismatch": {
-      const [wanted, found] = describeBoth(problem.wanted, problem.found)
-      const same = wanted === found
-      return {
-        kind: "type-mismatch",
-        message: same
-          ? words.types.hereGoes(showType(problem.wanted), what, showType(problem.found))
-          : words.types.hereGoes(wanted, what, found),
-        hint: words.types.putSomethingElseHereOrChangeWhat,
-      }
-    }
-    case "no-instance":
-      if (problem.constraint.name === "Ends") return misplacedDoneMessage(problem.constraint)
-      if (isNumberAsCommand(problem.constraint))
-        return {
-          kind: "type-mismatch",
-          message: words.types.aNumberIsNoCommand,
-          hint: words.types.putAVelocityHere,
-        }
-      return {
-        kind: "type-mismatch",
-        message: words.types.cannot(
-          capital(describeFor(problem.constraint)),
-          abilityText(problem.constraint),
-        ),
-        hint: words.types.useAnotherBlock,
-      }
-    case "unknown-name":
-      return {
-        kind: "not-in-scope",
-        message: words.types.hasNoMeaning(what),
-        hint: words.types.aNameIsKnownOnlyInside,
-      }
-    case "taken":
-      return {
-        kind: "duplicate",
-        message: words.types.haskellItselfHasAAlready(problem.name),
-        hint: words.types.giveThisOneAnotherName,
-      }
-    case "twice":
-      return {
-        kind: "duplicate",
-        message: words.types.isGivenToTwoThings(problem.name),
-        hint: words.types.giveOneOfThemAnotherName,
-      }
-    case "no-method":
-      return {
-        kind: "not-in-scope",
-        message: foreignMethodMessage(problem),
-        hint: words.types.takeItOutOfThisBlock,
-      }
-    case "second-instance":
-      return {
-        kind: "duplicate",
-        message: words.types.belongsTwice(problem.name, problem.of),
-        hint: words.types.takeOneOfThemAway,
-      }
-    case "too-many-arguments":
-      return {
-        kind: "type-mismatch",
-        message: words.types.getsMoreInputsThanItTakes(what),
-        hint: words.types.takeTheLastOnesAway,
-      }
-    case "wrong-field-count":
-      return {
-        kind: "type-mismatch",
-        message: words.types.hasPartsAndHereAre(problem.name, problem.wanted, problem.found),
-        hint: words.types.takeAFreshBlockFromTheToolbox,
-      }
-    case "ambiguous":
-      if (problem.constraint.name === "Sensor")
-        return {
-          kind: "ambiguous",
-          message: words.types.nothingSaysWhatOneOfTheInputs,
-          hint: words.types.putAPatternLikeBumperInto,
-        }
-      if (["Command", "Controller", "Runnable"].includes(problem.constraint.name))
-        return {
-          kind: "ambiguous",
-          message: words.types.nothingSaysWhatAFunctionHereSends,
-          hint: words.types.letItSendSomethingDefiniteOrWrite,
-        }
-      return {
-        kind: "ambiguous",
-        message: words.types.nothingSaysWhatTypeHas(what),
-        hint: words.types.useAValueOfADefiniteType,
-      }
-    case "too-general":
-      return {
-        kind: "type-mismatch",
-        message: words.types.theTypeOfThisDefinitionPromisesToo(abilityText(problem.constraint)),
-        hint: words.types.addToItsType(problem.constraint.name, showType(problem.constraint.type)),
-      }
-    case "bad-signature":
-      return {
-        kind: "syntax",
-        message: words.types.isNotAType(problem.text),
-        hint: words.types.writeItLikeVelocityMaybeSound,
-      }
-    case "unknown-type":
-      return {
-        kind: "not-in-scope",
-        message: words.types.thereIsNoType(problem.name),
-        hint: words.types.checkItsSpellingOrDefine,
-      }
-    case "unknown-class":
-      return {
-        kind: "not-in-scope",
-        message: words.types.thereIsNoClass(problem.name),
-        hint: words.types.checkItsSpellingOrDefine,
-      }
-    case "kind":
-      return {
-        kind: "type-mismatch",
-        message: words.types.takesOtherArguments(problem.name),
-        hint: words.types.writeItLikeMaybeInt,
-      }
-    case "missing-superclass":
-      return {
-        kind: "type-mismatch",
-        message: words.types.needsAnotherClass(problem.of, problem.name, problem.wanted),
-        hint: words.types.deriveThatToo(problem.wanted),
-      }
-    case "no-binding":
-      return {
-        kind: "not-in-scope",
-        message: words.types.hasOnlyAType(problem.name),
-        hint: words.types.addAnEquationFor(problem.name),
-      }
-    case "clause-arity":
-      return {
-        kind: "syntax",
-        message: words.types.differentNumbersOfInputs,
-        hint: words.types.giveEachEquationTheSame,
-      }
-  }
+/// What is wrong, and why or what to do: two short sentences.
+interface ProblemText {
+  readonly kind: string
+  readonly message: string
+  readonly hint: string
+}
+
+function problemText(kind: string, message: string, hint: string): ProblemText {
+  return {kind, message, hint}
+}
+
+const problemTexts: {
+  readonly [K in TypeProblem["kind"]]: (
+    problem: Extract<TypeProblem, {readonly kind: K}>,
+    what: string,
+  ) => ProblemText
+} = {
+  mismatch: (problem, what) => {
+    const [wanted, found] = describeBoth(problem.wanted, problem.found)
+    const shown = wanted === found ? [showType(problem.wanted), showType(problem.found)] : [wanted, found]
+    const [asked = "", given = ""] = shown
+    return problemText(
+      "type-mismatch",
+      words.types.hereGoes(asked, what, given),
+      words.types.putSomethingElseHereOrChangeWhat,
+    )
+  },
+  "no-instance": ({constraint}) => {
+    if (constraint.name === "Ends") return misplacedDoneMessage(constraint)
+    if (isNumberAsCommand(constraint))
+      return problemText("type-mismatch", words.types.aNumberIsNoCommand, words.types.putAVelocityHere)
+    return problemText(
+      "type-mismatch",
+      words.types.cannot(capital(describeFor(constraint)), abilityText(constraint)),
+      words.types.useAnotherBlock,
+    )
+  },
+  "unknown-name": (_, what) =>
+    problemText("not-in-scope", words.types.hasNoMeaning(what), words.types.aNameIsKnownOnlyInside),
+  taken: ({name}) =>
+    problemText("duplicate", words.types.haskellItselfHasAAlready(name), words.types.giveThisOneAnotherName),
+  twice: ({name}) =>
+    problemText("duplicate", words.types.isGivenToTwoThings(name), words.types.giveOneOfThemAnotherName),
+  "no-method": problem =>
+    problemText("not-in-scope", foreignMethodMessage(problem), words.types.takeItOutOfThisBlock),
+  "second-instance": ({name, of}) =>
+    problemText("duplicate", words.types.belongsTwice(name, of), words.types.takeOneOfThemAway),
+  "too-many-arguments": (_, what) =>
+    problemText(
+      "type-mismatch",
+      words.types.getsMoreInputsThanItTakes(what),
+      words.types.takeTheLastOnesAway,
+    ),
+  "wrong-field-count": ({name, wanted, found}) =>
+    problemText(
+      "type-mismatch",
+      words.types.hasPartsAndHereAre(name, wanted, found),
+      words.types.takeAFreshBlockFromTheToolbox,
+    ),
+  ambiguous: ({constraint}, what) => {
+    const {types} = words
+    if (constraint.name === "Sensor")
+      return problemText("ambiguous", types.nothingSaysWhatOneOfTheInputs, types.putAPatternLikeBumperInto)
+    return ["Command", "Controller", "Runnable"].includes(constraint.name)
+      ? problemText(
+          "ambiguous",
+          types.nothingSaysWhatAFunctionHereSends,
+          types.letItSendSomethingDefiniteOrWrite,
+        )
+      : problemText("ambiguous", types.nothingSaysWhatTypeHas(what), types.useAValueOfADefiniteType)
+  },
+  "too-general": ({constraint}) =>
+    problemText(
+      "type-mismatch",
+      words.types.theTypeOfThisDefinitionPromisesToo(abilityText(constraint)),
+      words.types.addToItsType(constraint.name, showType(constraint.type)),
+    ),
+  "bad-signature": ({text}) =>
+    problemText("syntax", words.types.isNotAType(text), words.types.writeItLikeVelocityMaybeSound),
+  "unknown-type": ({name}) =>
+    problemText("not-in-scope", words.types.thereIsNoType(name), words.types.checkItsSpellingOrDefine),
+  "unknown-class": ({name}) =>
+    problemText("not-in-scope", words.types.thereIsNoClass(name), words.types.checkItsSpellingOrDefine),
+  kind: ({name}) =>
+    problemText("type-mismatch", words.types.takesOtherArguments(name), words.types.writeItLikeMaybeInt),
+  "missing-superclass": ({of, name, wanted}) =>
+    problemText(
+      "type-mismatch",
+      words.types.needsAnotherClass(of, name, wanted),
+      words.types.deriveThatToo(wanted),
+    ),
+  "no-binding": ({name}) =>
+    problemText("not-in-scope", words.types.hasOnlyAType(name), words.types.addAnEquationFor(name)),
+  "clause-arity": () =>
+    problemText("syntax", words.types.differentNumbersOfInputs, words.types.giveEachEquationTheSame),
+}
+
+/// What is said of a problem. `what` names the block it is about.
+export function problemMessage(problem: TypeProblem, what: string): ProblemText {
+  const text: (problem: never, what: string) => ProblemText = problemTexts[problem.kind]
+  return text(problem as never, what)
 }
 
 /// A `Done` that does not belong: outside a task, or with another result than its task's.
-export function misplacedDoneMessage(constraint: Constraint): {kind: string; message: string; hint: string} {
+export function misplacedDoneMessage(constraint: Constraint): ProblemText {
   const [end] = spine(constraint.type).args
   const outside = end !== undefined && showType(end) === "NotInATask"
   return {
