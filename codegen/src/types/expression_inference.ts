@@ -1,41 +1,27 @@
 /// Type inference for expressions and for the statements of a `do`.
 
-import type {Alternative, Expr, Statement} from "../model/syntax_tree.ts"
-import {unreachable} from "../model/syntax_tree.ts"
-import {
-  inferBinding,
-  inferGroup,
-  inferGuards,
-  inferParameters,
-  inferQualifiers,
-  inferRefined,
-  inferRightHandSide,
-} from "./binding_inference.ts"
+import type {Expr, Statement} from "../model/syntax_tree.ts"
+import {inferBinding, inferGroup, inferQualifiers} from "./binding_inference.ts"
+import {inferCompound} from "./compound_expressions.ts"
 import {expand, unknown} from "./environment/environment.ts"
 import {unify} from "./environment/unification.ts"
 import type {InferenceState} from "./inference_state.ts"
 import {freshMeta, recordWatched, unknownType} from "./inference_state.ts"
-import {checkDistinct, inferPattern} from "./pattern_inference.ts"
 import type {Scope} from "./syntax/scope.ts"
 import type {Type} from "./syntax/type.ts"
 import {
   app,
   asFunction,
-  bool,
   con,
   fun,
-  funs,
   listOf,
   prune,
   spine,
-  string,
   substitute,
-  tupleOf,
   unit,
   variablesIn,
 } from "./syntax/type.ts"
 import {
-  classOfLiteral,
   instantiate,
   isPossiblyImported,
   openConstructor,
@@ -60,16 +46,6 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
     case "constructor-name":
       unifyAt(s, type, typeOfConstructor(s, e.name, e), e)
       return
-    case "number":
-      requireClass(s, classOfLiteral(s, e.text), type, e)
-      return
-    case "string":
-      if (s.env.extensions?.has("OverloadedStrings") === true) s.holes.push(type)
-      else unifyAt(s, type, string, e)
-      return
-    case "character":
-      unifyAt(s, type, con("Char"), e)
-      return
     case "apply": {
       const fn = freshMeta(s)
       checkExpression(s, e.fn, fn, scope)
@@ -83,47 +59,6 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
         inferApplication(s, fn, [e.right], type, e, scope)
       } else inferApplication(s, typeOfOperator(s, e.op, e, scope), [e.left, e.right], type, e, scope)
       return
-    case "negate":
-      requireClass(s, "Num", type, e)
-      checkExpression(s, e.expr, type, scope)
-      return
-    case "section": {
-      const [a, b, c] = [freshMeta(s), freshMeta(s), freshMeta(s)]
-      unifyAt(s, typeOfOperator(s, e.op, e, scope), funs([a, b], c), e)
-      unifyAt(s, type, e.side === "left" ? fun(b, c) : fun(a, c), e)
-      checkExpression(s, e.operand, e.side === "left" ? a : b, scope)
-      return
-    }
-    case "lambda": {
-      // A function that only GHC knows may pass one that is used at several types: `mask $ \restore -> …`.
-      const expected = prune(type)
-      const isForeign = expected.kind === "meta" && expected.isForeign === true
-      const inner = scope.inner()
-      const result = inferParameters(s, e.parameters, type, inner)
-      if (isForeign) for (const p of e.parameters) if (p.kind === "name-pattern") inner.set(p.name, unknown)
-      checkExpression(s, e.body, result, inner)
-      return
-    }
-    case "if":
-      checkExpression(s, e.condition, bool, scope)
-      checkExpression(s, e.yes, type, scope)
-      checkExpression(s, e.no, type, scope)
-      return
-    case "branches":
-      for (const g of e.branches) checkExpression(s, g.body, type, inferGuards(s, g.guards, scope))
-      return
-    case "case": {
-      const scrutinee = freshMeta(s)
-      checkExpression(s, e.scrutinee, scrutinee, scope)
-      inferAlternatives(s, e.alternatives, scrutinee, type, scope)
-      return
-    }
-    case "lambda-case": {
-      const [from, to] = [freshMeta(s), freshMeta(s)]
-      unifyAt(s, type, fun(from, to), e)
-      inferAlternatives(s, e.alternatives, from, to, scope)
-      return
-    }
     case "let":
       checkExpression(s, e.body, type, inferGroup(s, e.declarations, scope, false))
       return
@@ -134,49 +69,9 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
       else inferStatements(s, e.statements, type, scope)
       return
     }
-    case "tuple": {
-      const items = e.items.map(() => freshMeta(s))
-      const open = items.filter((_, i) => e.items[i]?.kind === "gap")
-      if (open.length > 0) {
-        unifyAt(s, type, funs(open, tupleOf(items)), e)
-        for (const [i, item] of e.items.entries())
-          if (item.kind !== "gap") checkExpression(s, item, items[i] ?? freshMeta(s), scope)
-        return
-      }
-      const [only] = items
-      unifyAt(s, type, items.length === 1 && only !== undefined ? only : tupleOf(items), e)
-      for (const [i, item] of e.items.entries()) checkExpression(s, item, items[i] ?? freshMeta(s), scope)
-      return
-    }
-    case "list": {
-      const item = freshMeta(s)
-      unifyAt(s, type, listOf(item), e)
-      for (const i of e.items) checkExpression(s, i, item, scope)
-      return
-    }
-    case "range": {
-      const item = freshMeta(s)
-      unifyAt(s, type, listOf(item), e)
-      requireClass(s, "Enum", item, e)
-      for (const part of [e.first, e.second, e.last])
-        if (part !== undefined) checkExpression(s, part, item, scope)
-      return
-    }
     case "comprehension":
       inferComprehension(s, e, type, scope)
       return
-    case "typed": {
-      const scheme = readSignature(s, e.type.text, e.type)
-      if (scheme === undefined) {
-        s.holes.push(type)
-        checkExpression(s, e.expr, unknownType(s), scope)
-        return
-      }
-      const inner = instantiate(s, scheme, e)
-      unifyAt(s, type, inner, e)
-      checkExpression(s, e.expr, inner, scope)
-      return
-    }
     case "type-apply":
       // Which variable the type stands for, GHC knows.
       s.holes.push(type)
@@ -204,7 +99,7 @@ export function checkExpression(s: InferenceState, e: Expr, wanted: Type, scope:
         unifyAt(s, type, fun(unknownType(s), unknownType(s)), e)
       return
     default:
-      unreachable(e)
+      inferCompound(s, e, type, scope)
   }
 }
 
@@ -215,22 +110,6 @@ function apartFrom(s: InferenceState, e: Expr, wanted: Type): Type {
   const own = freshMeta(s)
   s.typesApart = {own, wanted, isSigned: s.signed, isBeyondInference: false}
   return own
-}
-
-function inferAlternatives(
-  s: InferenceState,
-  all: readonly Alternative[],
-  of: Type,
-  type: Type,
-  scope: Scope,
-): void {
-  for (const a of all)
-    inferRefined(s, () => {
-      checkDistinct(s, [a.pattern])
-      const inner = scope.inner()
-      inferPattern(s, a.pattern, of, inner)
-      inferRightHandSide(s, a.right, type, inner)
-    })
 }
 
 function inferApplication(
