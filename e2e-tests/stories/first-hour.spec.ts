@@ -192,7 +192,7 @@ const stories: readonly Story[] = [
       const haskell = learner.haskell()
       for (const line of [
         "data Knock = Knock",
-        "onBump (Bumper _ Pressed) = Knock",
+        "onBump (Bumper _ Pressed) = Just Knock",
         "onEvent Knock = ErrorSound",
         "simulate (onBump, onEvent)",
       ])
