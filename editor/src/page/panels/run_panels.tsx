@@ -21,17 +21,28 @@ export function ConsolePanel(): VNode {
   const lines = allEvents ? all : all.filter(line => !isMinorEvent(line))
   const asks = usePageState(s => s.room.run !== null)
   const box = useRef<HTMLDivElement>(null)
-  const stick = useRef(true)
   useLayoutEffect(() => {
-    // Stays at the newest line unless the learner scrolled up to read.
     const panel = box.current?.parentElement
-    if (stick.current && panel) panel.scrollTop = panel.scrollHeight
+    if (box.current === null || !panel) return
+    // Stays at the newest line unless the learner scrolled up to read, also when the panel itself becomes smaller.
+    let isAtEnd = true
+    let seen = panel.scrollTop
+    const observer = new ResizeObserver(() => {
+      if (isAtEnd) panel.scrollTop = panel.scrollHeight
+    })
+    observer.observe(box.current)
+    observer.observe(panel)
     const onScroll = () => {
-      if (panel) stick.current = panel.scrollHeight - panel.scrollTop - panel.clientHeight < 24
+      const rest = panel.scrollHeight - panel.scrollTop - panel.clientHeight
+      isAtEnd = rest < 24 || (isAtEnd && panel.scrollTop >= seen)
+      seen = panel.scrollTop
     }
-    panel?.addEventListener("scroll", onScroll)
-    return () => panel?.removeEventListener("scroll", onScroll)
-  }, [all, allEvents])
+    panel.addEventListener("scroll", onScroll)
+    return () => {
+      observer.disconnect()
+      panel.removeEventListener("scroll", onScroll)
+    }
+  }, [])
   return (
     <div class="console" role="log" ref={box} data-testid="console">
       {lines.length === 0 && <p class="quiet">{words.emptyConsole}</p>}
