@@ -130,10 +130,13 @@ const stories: readonly Story[] = [
       await by.takes(/^edgeLight/, "light up at an edge")
       await by.runs()
     },
-    async behaves({learner, page}) {
-      await expect(learner.runButton()).toHaveText("Stop")
-      await page.getByRole("button", {name: "Button 0"}).click({delay: 300})
-      await expect(learner.console()).toContainText("plays ButtonSound")
+    async behaves(by) {
+      const {learner} = by
+      await inThreeRooms(by, async ({page}) => {
+        await expect(learner.runButton()).toHaveText("Stop")
+        await page.getByRole("button", {name: "Button 0"}).click({delay: 300})
+        await expect(learner.console()).toContainText("plays ButtonSound")
+      })
       await expect(learner.haskell()).toContainText("edgeLight (Cliff _ Hole) = Led1 Red")
       await expect(learner.haskell()).toContainText("simulate (buttonSound, edgeLight)")
     },
@@ -192,7 +195,7 @@ const stories: readonly Story[] = [
       const haskell = learner.haskell()
       for (const line of [
         "data Knock = Knock",
-        "onBump (Bumper _ Pressed) = Knock",
+        "onBump (Bumper _ Pressed) = Just Knock",
         "onEvent Knock = ErrorSound",
         "simulate (onBump, onEvent)",
       ])

@@ -7,6 +7,7 @@ const field = {
   type: /^Edit type of/,
   x: /name: x$/,
   m: /name: m$/,
+  just: /^just/,
   typeName: /^Edit name of the type/,
   operator: /^operator/,
   speed: /speed, metres a second, number/,
@@ -228,6 +229,7 @@ export async function randomWalk(hands: Hands): Promise<void> {
   ] as const) {
     await hands.starts(ready)
     await hands.writes(field.name, name)
+    await answersAnew(hands)
     await hands.puts("several at once", light, "just:", "ChgDir")
     await hands.presses(/^one more case$/)
     await hands.puts(again)
@@ -239,6 +241,7 @@ export async function randomWalk(hands: Hands): Promise<void> {
 
   await hands.starts("when a wheel leaves the ground")
   await hands.writes(field.name, "wheel")
+  await answersAnew(hands)
   for (const [colour, mode] of [
     ["red", "Stop"],
     ["off", "Go"],
@@ -277,6 +280,12 @@ export async function randomWalk(hands: Hands): Promise<void> {
   await hands.takesUp("the program: simulate")
   await hands.presses(/^run one more$/, 2)
   await hands.puts("chgdir", "spin")
+}
+
+/// Empties a ready function that answers one input only: it is to answer the others as well.
+async function answersAnew(hands: Hands): Promise<void> {
+  await hands.presses(/^remove the last case$/)
+  await hands.throws(field.just)
 }
 
 /// Turns a random walk after it has hit something.

@@ -29,6 +29,7 @@ _MODULES = (
     "run.realtime_runner",
     "run.step_display",
     "run.step_phases",
+    "run.steps.blocked_drive",
     "run.steps.command_conflicts",
     "run.steps.lockstep",
     "run.steps.quiet_steps",

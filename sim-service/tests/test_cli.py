@@ -253,6 +253,18 @@ def test_a_person_at_a_terminal_reads_a_table_and_a_sentence_instead_of_json(
     assert last_line.startswith(place)
 
 
+@pytest.mark.parametrize("at_terminal", [True, False])
+def test_a_person_at_a_terminal_reads_that_the_robot_pushes_against_something(
+    at_terminal: bool, here: Here, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "p.hs").write_text("drive:0.5")
+    (tmp_path / "w.json").write_text(json.dumps({"size": [4, 2], "start": {"x": 3.5, "y": 1, "theta": 0}}))
+    monkeypatch.setattr(sys.stdout, "isatty", lambda: at_terminal)
+    done = here("run", tmp_path / "p.hs", "--world", tmp_path / "w.json", "--seconds", "10")
+    notes = [line for line in done.stderr.splitlines() if "pushes against something" in line]
+    assert len(notes) == int(at_terminal)
+
+
 def test_check_prints_sentences_or_json(environment: dict[str, str], tmp_path: Path) -> None:
     program = tmp_path / "p.hs"
     program.write_text("refuse")

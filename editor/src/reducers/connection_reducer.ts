@@ -59,6 +59,7 @@ function pictureOf(message: ServiceMessage): number | null {
     case "goals":
     case "said":
     case "sound":
+    case "blocked":
     case "diverged":
     case "uncompared":
       return message.run
@@ -129,6 +130,11 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
       return still(beginReplay(state, message))
     case "because":
       return explain(state, {kind: "answered", answer: message.answer})
+    case "blocked": {
+      if (!isShown(state.room, message.run)) return still(state)
+      const by = message.bumped ? "bumper" : ""
+      return still({...state, lines: addLine(state.lines, "blocked", by, message.time)})
+    }
     case "conflict":
       return still(withConflict(state, message))
     case "refusal":

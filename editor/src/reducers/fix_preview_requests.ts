@@ -6,7 +6,9 @@ import type {PageState} from "../state/page_state.ts"
 import type {Effect, Transition} from "../state/transition.ts"
 import {computesPreviews} from "./preview_requests.ts"
 
-/// Longest run that is previewed for a fix, s: a list may ask for several.
+/// Shortest and longest run that is previewed for a fix, s: in an empty room the robot needs half a minute to the wall and what the fix
+/// does there, and a list may ask for several.
+const shortest = 30
 const longest = 60
 
 /// Whether the fixes of the program are previewed now: it has been compiled as it is.
@@ -36,7 +38,7 @@ export function withFixPreviews(old: PageState, {state, effects: others}: Transi
       effects,
     }
   const id = state.previews + 1
-  const seconds = Math.min(longest, previewSeconds(state.room.frame?.time ?? 0))
+  const seconds = Math.min(longest, Math.max(shortest, previewSeconds(state.room.frame?.time ?? 0)))
   const request: Effect = {kind: "send", message: {op: "preview", id, source: next, seconds}}
   return {
     state: withAnswers({...state, previews: id}, {...current, asked: {id, text: next}}),

@@ -82,7 +82,7 @@ describe("joins simulate", () => {
     await keys.press("Enter")
     expect(await runs(keys)).toBe("onBump")
     await keys.press("e")
-    expect(await keys.heard()).toMatch(/^what to send/)
+    expect(await keys.heard()).toMatch(/^just: value/)
   })
 
   test("when its first row lies over a place, wherever it is held", async () => {

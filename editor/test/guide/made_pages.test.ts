@@ -94,7 +94,7 @@ describe.each(teachingLanguages)("in %s", language => {
       "drive 50",
       "wait 1",
       "Velocity 0.5 0",
-      "onBump (Bumper _ Pressed) = _",
+      "onBump (Bumper _ Pressed) = Just _\nonBump _ = Nothing",
       "Memory _",
       "_ + _",
     ])

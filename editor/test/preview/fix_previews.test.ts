@@ -32,6 +32,7 @@ const ended = hear({op: "state", run: 1, state: "ended", ended: "stopped", probl
 function play(...events: readonly PageEvent[]) {
   let state: PageState = {...initialState, document: documentOf("old")}
   const asked: (readonly [number, string])[] = []
+  const seconds = new Set<number>()
   const steps: readonly (PageEvent | "compiled")[] = [
     hear({op: "hello", session: "s"}),
     "compiled",
@@ -45,9 +46,12 @@ function play(...events: readonly PageEvent[]) {
     const step = reduce(state, event)
     state = step.state
     for (const e of step.effects)
-      if (e.kind === "send" && e.message.op === "preview") asked.push([e.message.id, e.message.source])
+      if (e.kind === "send" && e.message.op === "preview") {
+        asked.push([e.message.id, e.message.source])
+        seconds.add(e.message.seconds)
+      }
   }
-  return {state, asked, answers: [...state.room.fixPreviews.answers.keys()]}
+  return {state, asked, seconds: [...seconds], answers: [...state.room.fixPreviews.answers.keys()]}
 }
 
 describe("previews of fixes are asked for", () => {
@@ -57,6 +61,9 @@ describe("previews of fixes are asked for", () => {
       asked: [[1, "old"], [2, "a"], [3, "b"]],
       answers: ["old", "a", "b"],
     }) // biome-ignore format: a table
+  })
+  it("for half a minute, in which the robot comes to a wall, the program as well as the fixes", () => {
+    expect(play(shown(["a", "b"]), answer(1), answer(2)).seconds).toEqual([30])
   })
   it("once, also by two lists", () => {
     expect(play(shown(["a"]), shown(["a"], "old", "2"), answer(1), answer(2)).asked).toHaveLength(2)

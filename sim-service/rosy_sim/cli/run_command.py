@@ -30,6 +30,7 @@ from ..rooms.command import check_options, test_in_rooms
 from ..rooms.programs import Pool
 from ..run.grading import Grade, csv_rows, format_table, grade_programs, programs_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
+from ..run.steps.lockstep import Lockstep
 from ..sentences.sentence import Sentence, tr
 from ..sentences.terminal_text import escape_json, neutralize, neutralize_line
 from ..sentences.wording import in_terminal, machine_wording
@@ -38,7 +39,7 @@ from ..world.time_step import STEPS_PER_SECOND
 from ..world.world import World
 from ..worlds.gallery import load_world, usable_arena
 from .checked_worker import started_worker, warn_without_sandbox
-from .output import flush_output, print_bytes, print_problem, print_sentence, print_text, say
+from .output import flush_output, print_bytes, print_note, print_problem, print_sentence, print_text, say
 from .problem_text import format_problem
 from .run_options import (
     MAX_SECONDS,
@@ -105,7 +106,9 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         trace = None
         if options.trace is not None:
             trace = stack.enter_context(AtomicFile(options.trace, keep_interrupted=True))
-        output = RunOutput(say, trace, provenance=options.provenance, record=record)
+        # The standard error of a run that another program reads is empty when all went well.
+        observe = _note_blocked if sys.stdout.isatty() else _ignore
+        output = RunOutput(say, trace, observe, options.provenance, record)
         if native:
             outcome = run_native(options.file, world, settings, output)
         else:
@@ -118,6 +121,16 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         _print_explanation(record, moment, memories)
     outcome.problems = program.in_file(outcome.problems)
     return _report(options.file, world, outcome)
+
+
+def _note_blocked(lockstep: Lockstep) -> None:
+    """For a person: why nothing seems to happen any more."""
+    if lockstep.is_blocked:
+        print_note(tr("{time} s: the robot pushes against something and cannot drive on.", time=lockstep.time))
+
+
+def _ignore(_: Lockstep) -> None:
+    pass
 
 
 def _report(file: Path, world: World | None, outcome: RunResult) -> int:

@@ -68,6 +68,9 @@ class RunView(Protocol):
     def show_conflict(self, time: float, conflict: CommandConflict) -> None:
         """Show that functions override each other's commands."""
 
+    def show_blocked(self, time: float, has_bumped: bool) -> None:
+        """Show that the robot pushes against something and does not move; ``has_bumped``: with its bumper."""
+
     def show_divergence(self, time: float) -> None:
         """Show when the program began to differ from the run that it repeats."""
 

@@ -113,6 +113,8 @@ class StepDisplay:
         self._simulation.on_safety(lockstep.is_overridden, lockstep.time)
         for conflict in lockstep.conflicts:
             view.show_conflict(lockstep.time, conflict)
+        if lockstep.is_blocked:
+            view.show_blocked(lockstep.time, lockstep.has_bumped)
         self._add_firings(lockstep)
         if lockstep.settled is not None and lockstep.settled.memory is not None:
             view.set_memory(lockstep.settled.memory)

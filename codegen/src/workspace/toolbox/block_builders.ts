@@ -59,6 +59,36 @@ export function reaction(
   )
 }
 
+/// What a definition answers to each of several inputs.
+export function answers(
+  name: string,
+  cases: readonly {readonly when: SavedBlock; readonly answer: SavedBlock}[],
+  as = "event",
+): SavedBlock {
+  return make(
+    "define",
+    {name, as, arity: 1, equations: cases.map(() => ({}))},
+    Object.fromEntries(
+      cases.flatMap(({when, answer}, i) => [
+        [`P${i}_0`, when],
+        [`E${i}_0`, answer],
+      ]),
+    ),
+  )
+}
+
+/// A definition with an empty place for what it answers to some inputs. It answers nothing to all others, so that it has a case for
+/// each input as it is.
+export const sometimes = (name: string, when: SavedBlock, as?: string): SavedBlock =>
+  answers(
+    name,
+    [
+      {when, answer: con("Just")},
+      {when: anything("thing"), answer: con("Nothing")},
+    ],
+    as,
+  )
+
 /// Steps one below the other.
 export function stacked([first, ...rest]: readonly SavedBlock[]): SavedBlock {
   if (first === undefined) throw new Error("expected at least one step, found none")

@@ -5,12 +5,12 @@ import type {ToolboxItem} from "../../api.ts"
 import type {SavedBlock} from "../../serialized_blocks.ts"
 import {perLanguage, words} from "../../words/index.ts"
 import {
+  answers,
   anything,
   call,
   con,
   infix,
   make,
-  match,
   named,
   num,
   pat,
@@ -20,23 +20,7 @@ import {
   stacked,
   text,
 } from "./block_builders.ts"
-
-/// What a definition answers to each of several events.
-function answers(
-  name: string,
-  cases: readonly {readonly when: SavedBlock; readonly answer: SavedBlock}[],
-): SavedBlock {
-  return make(
-    "define",
-    {name, as: "event", arity: 1, equations: cases.map(() => ({}))},
-    Object.fromEntries(
-      cases.flatMap(({when, answer}, i) => [
-        [`P${i}_0`, when],
-        [`E${i}_0`, answer],
-      ]),
-    ),
-  )
-}
+import {bumper, cliff, firstButton} from "./event_patterns.ts"
 
 /// A definition that answers one event with a command, and another one with nothing.
 function answersOnly(name: string, when: SavedBlock, command: SavedBlock, otherwise: SavedBlock): SavedBlock {
@@ -56,9 +40,6 @@ function task(name: string, ...steps: readonly SavedBlock[]): SavedBlock {
 }
 
 const drive = (speed: string, turning: string) => con("Velocity", num(speed), num(turning))
-const bumper = (status: string) => pat("Bumper", anything("side"), match("ButtonStatus", status))
-const hole = (status: string) => pat("Cliff", anything("side"), match("CliffStatus", status))
-const firstButton = pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed"))
 const nothing = con("Nothing")
 const forever = (...steps: readonly SavedBlock[]) => make("step_forever", {}, {S: stacked(steps)})
 const curve = (degrees: string) => make("step_curve_until_obstacle", {}, {X: num(degrees)})
@@ -77,12 +58,12 @@ export const readyReactions = perLanguage((): readonly ToolboxItem[] => {
       w.complain,
       answersOnly("complain", bumper("Pressed"), pick("Sound", "ErrorSound"), bumper("Released")),
     ),
-    item(w.stopAtEdge, answersOnly("stopAtEdge", hole("Hole"), drive("0", "0"), hole("Floor"))),
+    item(w.stopAtEdge, answersOnly("stopAtEdge", cliff("Hole"), drive("0", "0"), cliff("Floor"))),
     item(
       w.edgeLight,
       answers("edgeLight", [
-        {when: hole("Hole"), answer: con("Led1", pick("LedColor", "Red"))},
-        {when: hole("Floor"), answer: con("Led1", pick("LedColor", "Black"))},
+        {when: cliff("Hole"), answer: con("Led1", pick("LedColor", "Red"))},
+        {when: cliff("Floor"), answer: con("Led1", pick("LedColor", "Black"))},
       ]),
     ),
     item(

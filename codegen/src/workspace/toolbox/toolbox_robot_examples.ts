@@ -5,7 +5,7 @@ import {choiceOf, choices} from "../../blocks/spec/constructor_labels.ts"
 import {robot} from "../../robot/description.generated.ts"
 import type {SavedBlock} from "../../serialized_blocks.ts"
 import {words} from "../../words/index.ts"
-import {con, match, named, num, pat, pick, reaction} from "./block_builders.ts"
+import {con, match, named, num, pat, pick, reaction, sometimes} from "./block_builders.ts"
 import {item} from "./toolbox_item.ts"
 
 type Kind = "event" | "state" | "command"
@@ -35,8 +35,8 @@ function exampleBlock({type, kind, function: name, parts}: RobotExample): SavedB
       ? con(type, ...parts.map(valuePart))
       : pick(type, parts[0] ?? menu.options[0] ?? "")
   }
-  const pattern = menu === undefined ? pat(type, ...parts.map(patternPart)) : match(type, parts[0] ?? "")
-  return reaction(name, kind, [pattern])
+  if (menu !== undefined) return sometimes(name, match(type, parts[0] ?? ""), kind)
+  return reaction(name, kind, [pat(type, ...parts.map(patternPart))])
 }
 
 function valuePart(part: string): SavedBlock {

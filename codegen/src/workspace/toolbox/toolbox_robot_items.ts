@@ -3,21 +3,28 @@
 import type {ToolboxItem} from "../../api.ts"
 import {choices, exampleNameOf} from "../../blocks/spec/constructor_labels.ts"
 import {perLanguage, words} from "../../words/index.ts"
-import {anything, con, make, match, named, num, pat, pick, reaction, text} from "./block_builders.ts"
+import {
+  anything,
+  con,
+  make,
+  match,
+  named,
+  num,
+  pat,
+  pick,
+  reaction,
+  sometimes,
+  text,
+} from "./block_builders.ts"
+import {bumper, cliff, firstButton, leftBumper, wheel} from "./event_patterns.ts"
 import {item} from "./toolbox_item.ts"
 import {examples} from "./toolbox_robot_examples.ts"
 
 const drive = con("Velocity", num("0.5"), num("0"))
 
 export const senses = perLanguage((): readonly ToolboxItem[] => [
-  item(
-    words.toolbox.whenTheBumperIsPressed,
-    reaction("onBump", "event", [pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))]),
-  ),
-  item(
-    words.toolbox.whenTheLeftBumperIsPressed,
-    reaction("onLeftBump", "event", [pat("BumperLeft", match("ButtonStatus", "Pressed"))]),
-  ),
+  item(words.toolbox.whenTheBumperIsPressed, sometimes("onBump", bumper("Pressed"))),
+  item(words.toolbox.whenTheLeftBumperIsPressed, sometimes("onLeftBump", leftBumper)),
   item(
     words.toolbox.atAnyBumperEvent,
     make(
@@ -26,27 +33,13 @@ export const senses = perLanguage((): readonly ToolboxItem[] => [
       {P0_0: anything("bumper event"), E0_0: con("Just", pick("Sound", "ButtonSound"))},
     ),
   ),
-  item(
-    words.toolbox.whenThereIsAHole,
-    reaction("onCliff", "event", [pat("Cliff", anything("side"), match("CliffStatus", "Hole"))]),
-  ),
-  item(
-    words.toolbox.whenAWheelLeavesTheGround,
-    reaction("onLift", "event", [pat("Wheel", anything("side"), match("WheelStatus", "Air"))]),
-  ),
-  item(
-    words.toolbox.whenAButtonIsPressed,
-    reaction("onButton", "event", [
-      pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed")),
-    ]),
-  ),
-  item(words.toolbox.bumperEvent, pat("Bumper", anything("side"), match("ButtonStatus", "Pressed"))),
-  item(words.toolbox.cliffEvent, pat("Cliff", anything("side"), match("CliffStatus", "Hole"))),
-  item(words.toolbox.wheelEvent, pat("Wheel", anything("side"), match("WheelStatus", "Air"))),
-  item(
-    words.toolbox.buttonEvent,
-    pat("Button", match("ButtonNumber", "Button0"), match("ButtonStatus", "Pressed")),
-  ),
+  item(words.toolbox.whenThereIsAHole, sometimes("onCliff", cliff("Hole"))),
+  item(words.toolbox.whenAWheelLeavesTheGround, sometimes("onLift", wheel)),
+  item(words.toolbox.whenAButtonIsPressed, sometimes("onButton", firstButton)),
+  item(words.toolbox.bumperEvent, bumper("Pressed")),
+  item(words.toolbox.cliffEvent, cliff("Hole")),
+  item(words.toolbox.wheelEvent, wheel),
+  item(words.toolbox.buttonEvent, firstButton),
   ...[
     "BumperSide",
     "ButtonStatus",

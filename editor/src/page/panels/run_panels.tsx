@@ -21,17 +21,28 @@ export function ConsolePanel(): VNode {
   const lines = allEvents ? all : all.filter(line => !isMinorEvent(line))
   const asks = usePageState(s => s.room.run !== null)
   const box = useRef<HTMLDivElement>(null)
-  const stick = useRef(true)
   useLayoutEffect(() => {
-    // Stays at the newest line unless the learner scrolled up to read.
     const panel = box.current?.parentElement
-    if (stick.current && panel) panel.scrollTop = panel.scrollHeight
+    if (box.current === null || !panel) return
+    // Stays at the newest line unless the learner scrolled up to read, also when the panel itself becomes smaller.
+    let isAtEnd = true
+    let seen = panel.scrollTop
+    const observer = new ResizeObserver(() => {
+      if (isAtEnd) panel.scrollTop = panel.scrollHeight
+    })
+    observer.observe(box.current)
+    observer.observe(panel)
     const onScroll = () => {
-      if (panel) stick.current = panel.scrollHeight - panel.scrollTop - panel.clientHeight < 24
+      const rest = panel.scrollHeight - panel.scrollTop - panel.clientHeight
+      isAtEnd = rest < 24 || (isAtEnd && panel.scrollTop >= seen)
+      seen = panel.scrollTop
     }
-    panel?.addEventListener("scroll", onScroll)
-    return () => panel?.removeEventListener("scroll", onScroll)
-  }, [all, allEvents])
+    panel.addEventListener("scroll", onScroll)
+    return () => {
+      observer.disconnect()
+      panel.removeEventListener("scroll", onScroll)
+    }
+  }, [])
   return (
     <div class="console" role="log" ref={box} data-testid="console">
       {lines.length === 0 && <p class="quiet">{words.emptyConsole}</p>}
@@ -41,12 +52,7 @@ export function ConsolePanel(): VNode {
           <span class="when">{measures.fixed(line.time, 2)}</span>
           <LineText line={line} />
           {line.count > 1 && <span class="quiet">{words.times(line.count)}</span>}
-          {asks && (
-            <WhyButton
-              about={line.kind === "safety" ? words.safety.tookOver : line.text}
-              question={() => questionOf(line)}
-            />
-          )}
+          {asks && <WhyButton about={aboutLine(line)} question={() => questionOf(line)} />}
         </p>
       ))}
       {(allEvents || lines.length < all.length) && (
@@ -62,9 +68,16 @@ export function ConsolePanel(): VNode {
   )
 }
 
-/// Why a line is there: the event, the command that said or played it, or the command that the safety rules overrode.
+/// What a screen reader hears that the question of a line is about.
+function aboutLine(line: ConsoleLine): string {
+  if (line.kind === "safety") return words.safety.tookOver
+  return line.kind === "blocked" ? words.blocked.pushes : line.text
+}
+
+/// Why a line is there: the event, the command that said or played it, or the command that the safety rules or something in the way
+/// overrode.
 function questionOf({kind, text, time}: ConsoleLine): Question {
-  if (kind === "safety") return motionQuestion(time)
+  if (kind === "safety" || kind === "blocked") return motionQuestion(time)
   return kind === "sensed"
     ? {kind: "event", value: text, time}
     : {kind: "command", command: kind === "said" ? "Say" : "Sound", value: text, time}
@@ -82,6 +95,13 @@ function LineText({line}: {line: ConsoleLine}): VNode {
       )
     case "safety":
       return <span class="text">{words.safety.tookOver}</span>
+    case "blocked":
+      return (
+        <span class="text">
+          {words.blocked.pushes}{" "}
+          {line.text === "bumper" ? words.blocked.withBumper : words.blocked.withoutBumper}
+        </span>
+      )
     case "sensed":
       return <code class="text">{line.text}</code>
   }

@@ -204,6 +204,8 @@ export type ConsoleLine = {readonly time: number; readonly count: number} & (
   | {readonly kind: "sound"; readonly text: string}
   /// The safety rules began to override the program.
   | {readonly kind: "safety"; readonly text: ""}
+  /// The robot pushes against something and does not move; the text says whether with its bumper.
+  | {readonly kind: "blocked"; readonly text: "bumper" | ""}
 )
 
 /// Lines the console keeps; the oldest go first.

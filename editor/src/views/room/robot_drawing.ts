@@ -30,14 +30,29 @@ export function drawRobot(
   palette: Palette,
   scale: number,
 ): void {
+  const lights = ledPlaces(scale).map(
+    ([x, y], i) => ({x, y, value: numberAt(frame, i === 0 ? "Led1" : "Led2")}) as const,
+  )
+  for (const light of lights) drawGlow(ctx, light, palette, scale)
   drawBody(ctx, palette)
   drawWheels(ctx, frame, palette)
   drawBumpers(ctx, frame, palette)
   drawCliffs(ctx, frame, palette)
   drawHeading(ctx, palette)
   drawButtons(ctx, frame, palette)
-  leds.forEach(([x, y], i) => {
-    drawLed(ctx, x, y, numberAt(frame, i === 0 ? "Led1" : "Led2"), palette, scale)
+  for (const {x, y, value} of lights) drawLed(ctx, x, y, value, palette, scale)
+}
+
+/// Radius of an LED, m: it is seen from an arm's length in a whole room, where the real one would be a point.
+export const ledSize = (scale: number): number => Math.min(0.036, Math.max(0.023, 5 / scale))
+
+/// Where the LEDs are drawn, m: as far apart as on the robot, and as far as their size needs.
+export function ledPlaces(scale: number): readonly (readonly [number, number])[] {
+  const [mx, my] = [0, 1].map(axis => leds.reduce((sum, led) => sum + (led[axis] ?? 0), 0) / leds.length)
+  return leds.map(([x, y]) => {
+    const [dx, dy] = [x - (mx ?? 0), y - (my ?? 0)]
+    const factor = Math.max(1, (1.1 * ledSize(scale)) / Math.hypot(dx, dy))
+    return [(mx ?? 0) + factor * dx, (my ?? 0) + factor * dy] as const
   })
 }
 
@@ -189,6 +204,22 @@ function drawHeading(ctx: CanvasRenderingContext2D, palette: Palette): void {
   ctx.fill()
 }
 
+/// Light of an LED on the floor below the robot: in a whole room it shows the colour where the LED itself is a few pixels.
+function drawGlow(
+  ctx: CanvasRenderingContext2D,
+  {x, y, value}: {readonly x: number; readonly y: number; readonly value: number},
+  palette: Palette,
+  scale: number,
+): void {
+  if (value === 0) return
+  ctx.beginPath()
+  ctx.arc(x, y, 12 / scale, 0, 2 * Math.PI)
+  ctx.globalAlpha = 0.6
+  ctx.fillStyle = palette.leds[value as 1 | 2 | 3] ?? palette.leds[0]
+  ctx.fill()
+  ctx.globalAlpha = 1
+}
+
 function drawLed(
   ctx: CanvasRenderingContext2D,
   x: number,
@@ -197,7 +228,7 @@ function drawLed(
   palette: Palette,
   scale: number,
 ): void {
-  const size = 0.023
+  const size = ledSize(scale)
   ctx.beginPath()
   // Green is round, orange a diamond, red a square; dark is a small ring.
   if (value === 2) {

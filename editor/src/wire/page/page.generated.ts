@@ -19,6 +19,7 @@ export type Answer =
   | runs.Frame
   | runs.Said
   | runs.ConflictShown
+  | runs.Blocked
   | explanations.Because
   | runs.SoundPlayed
   | runs.GoalsShown
@@ -43,6 +44,7 @@ export const answer: read.Decoder<Answer> = /*#__PURE__*/ read.tagged<Answer>({
   "frame": runs.frame,
   "said": runs.said,
   "conflict": runs.conflictShown,
+  "blocked": runs.blocked,
   "because": explanations.because,
   "sound": runs.soundPlayed,
   "goals": runs.goalsShown,

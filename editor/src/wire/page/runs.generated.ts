@@ -184,6 +184,20 @@ export const conflictShown: read.Decoder<ConflictShown> = /*#__PURE__*/ read.str
   loser: read.string,
 })
 
+/// The robot has pushed against something for 2 s without moving. `bumped`: its bumper is pressed.
+export interface Blocked {
+  readonly op: "blocked"
+  readonly run: number
+  readonly time: number
+  readonly bumped: boolean
+}
+export const blocked: read.Decoder<Blocked> = /*#__PURE__*/ read.struct<Blocked>({
+  op: read.tag("blocked"),
+  run: read.integer,
+  time: read.number,
+  bumped: read.boolean,
+})
+
 /// All goals of the world, in its order, when one of them has changed.
 export interface GoalsShown {
   readonly op: "goals"

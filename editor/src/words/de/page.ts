@@ -329,6 +329,11 @@ export const page: Omit<
     overrides: "Sicherheitsregeln: weicht zurück…",
     tookOver: "Die Sicherheitsregeln übernehmen: weicht zurück",
   },
+  blocked: {
+    pushes: "Der Roboter drückt gegen etwas und kommt nicht weiter.",
+    withBumper: "Eine Funktion mit Bumper als Eingang kann ihn abwenden.",
+    withoutBumper: "Auf dieser Seite hat er keine Stoßstange: Lass ihn anders fahren.",
+  },
   goals: "Ziele",
   goalStates: {open: "offen", done: "geschafft", missed: "verfehlt"},
   hands: "Den Roboter anfassen",

@@ -328,6 +328,11 @@ export const page = {
     overrides: "Safety rules: backing off…",
     tookOver: "The safety rules take over: backing off",
   },
+  blocked: {
+    pushes: "The robot pushes against something and cannot drive on.",
+    withBumper: "A function with Bumper as its input can turn it away.",
+    withoutBumper: "It has no bumper on that side: drive it another way.",
+  },
   goals: "Goals",
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",

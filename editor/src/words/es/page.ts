@@ -339,6 +339,11 @@ export const page: Omit<
     overrides: "Reglas de seguridad: retrocediendo…",
     tookOver: "Las reglas de seguridad toman el control: retrocediendo",
   },
+  blocked: {
+    pushes: "El robot empuja contra algo y no puede seguir.",
+    withBumper: "Una función con Bumper como entrada puede apartarlo.",
+    withoutBumper: "No tiene parachoques en ese lado: haz que vaya por otro camino.",
+  },
   goals: "Objetivos",
   goalStates: {open: "pendiente", done: "logrado", missed: "no logrado"},
   hands: "Toca el robot",

@@ -340,6 +340,11 @@ export const page: Omit<
     overrides: "Règles de sécurité : recule…",
     tookOver: "Les règles de sécurité prennent le relais : recule",
   },
+  blocked: {
+    pushes: "Le robot pousse contre quelque chose et ne peut plus avancer.",
+    withBumper: "Une fonction qui reçoit Bumper peut le détourner.",
+    withoutBumper: "Il n'a pas de pare-chocs de ce côté : fais-le rouler autrement.",
+  },
   goals: "Buts",
   goalStates: {open: "à faire", done: "réussi", missed: "manqué"},
   hands: "Toucher le robot",

@@ -331,6 +331,11 @@ export const page: Omit<
     overrides: "Regras de segurança: recuando…",
     tookOver: "As regras de segurança assumem: recuando",
   },
+  blocked: {
+    pushes: "O robô está empurrando alguma coisa e não consegue seguir.",
+    withBumper: "Uma função com Bumper como entrada pode desviá-lo.",
+    withoutBumper: "Ele não tem para-choque desse lado: faça-o ir por outro caminho.",
+  },
   goals: "Metas",
   goalStates: {open: "falta", done: "feita", missed: "perdida"},
   hands: "Tocar no robô",

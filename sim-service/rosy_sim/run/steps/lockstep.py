@@ -30,6 +30,7 @@ from ...world.events import VELOCITY_CHANNEL, Command, Reading
 from ...world.goals import GoalTracker, Observation
 from ...world.time_step import STEPS_PER_SECOND
 from ...world.world import World
+from .blocked_drive import BlockedDrive
 from .command_conflicts import CommandConflict, CommandConflicts
 from .quiet_steps import MemoryRequest, QuietSteps
 from .velocity_guard import OFF, SafetySettings, Velocity, VelocityGuard
@@ -75,6 +76,9 @@ class Lockstep:
         # Functions that override each other's commands, as far as this step has made it certain.
         self.conflicts: Sequence[CommandConflict] = _NO_CONFLICTS
         self._commands_in_force = CommandConflicts()
+        # Whether the last step has made it certain that the robot pushes against something and does not move.
+        self.is_blocked = False
+        self._blocked_drive = BlockedDrive()
         # Messages on topics of its own that the program gets in the next step.
         self._posted: list[TopicMessage] = []
         self.settled: Settled | None = None
@@ -252,8 +256,14 @@ class Lockstep:
             self._drive(self._guard.tick(self.time))
         world.integrate()
         self.step += 1
+        self.is_blocked = self._blocked_drive.observe(world)
         if self.has_goals:
             self.goals.observe(self.observation())
+
+    @property
+    def has_bumped(self) -> bool:
+        """Whether a zone of the bumper is pressed."""
+        return self.world.sensors.bumpers != 0
 
     def observation(self) -> Observation:
         """The state after the last step, for goals and properties."""

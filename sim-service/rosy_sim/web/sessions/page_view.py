@@ -210,6 +210,10 @@ class PageView:
         """Show that functions override each other's commands."""
         self._outbox.put(page.ConflictShown(self.run, time, conflict.channel, conflict.winner, conflict.loser))
 
+    def show_blocked(self, time: float, has_bumped: bool) -> None:
+        """Show that the robot pushes against something and does not move."""
+        self._outbox.put(page.Blocked(self.run, time, has_bumped))
+
     def show_divergence(self, time: float) -> None:
         """Show when the program began to differ from the run that it repeats."""
         self._outbox.put(page.Diverged(self.run, time))

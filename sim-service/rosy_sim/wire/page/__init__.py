@@ -33,6 +33,7 @@ from .robots import (
 from .runs import (
     MAX_SPEED,
     MIN_SPEED,
+    Blocked,
     ConflictShown,
     Diverged,
     Forward,
@@ -59,6 +60,7 @@ __all__ = [
     "Answer",
     "BadRequest",
     "Because",
+    "Blocked",
     "BranchPlace",
     "Check",
     "Checked",
@@ -189,6 +191,7 @@ Answer = (
     | Frame
     | Said
     | ConflictShown
+    | Blocked
     | Because
     | SoundPlayed
     | GoalsShown

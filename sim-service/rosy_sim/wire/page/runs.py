@@ -16,6 +16,7 @@ from .explanations import FiringShown
 __all__ = [
     "MAX_SPEED",
     "MIN_SPEED",
+    "Blocked",
     "ConflictShown",
     "Diverged",
     "Forward",
@@ -138,6 +139,14 @@ class ConflictShown(msgspec.Struct, tag="conflict", tag_field="op"):
     command: str
     winner: str
     loser: str
+
+
+class Blocked(msgspec.Struct, tag="blocked", tag_field="op"):
+    """The robot has pushed against something for 2 s without moving. ``bumped``: its bumper is pressed."""
+
+    run: int
+    time: float
+    bumped: bool
 
 
 class Goal(msgspec.Struct):
