@@ -101,6 +101,16 @@ export const classroom = {
     gone: (name: string) => `“${name}” is not in this browser, so it cannot be edited together.`,
     close: "Close",
   },
+  study: {
+    asked:
+      "Your class takes part in a study about learning to program. If you take part, too, researchers get what you save, run and hand in from now on, and how far you are in lessons, without your name. You need not.",
+    takesPart: "You take part in the study of your class.",
+    takesNoPart: "You do not take part in the study of your class.",
+    contact: (contact: string) => `Questions: ${contact}.`,
+    agree: "I take part",
+    decline: "Not me",
+    stop: "Stop taking part",
+  },
   projector: {
     title: "Projector",
     pupil: "A pupil",
@@ -217,6 +227,21 @@ export const classroom = {
       ended: (_nickname: string) =>
         "Editing together has ended. Changes here do not reach the pupil any more.",
       line: (nickname: string, line: number) => `${nickname} is in line ${line}.`,
+    },
+    study: {
+      title: "Study",
+      off: "This class takes part in no study.",
+      contact: "Whom pupils and parents can ask (pupils see it)",
+      begin: "This class takes part in a study",
+      beginHint: "Each pupil's page then asks whether the pupil takes part.",
+      takingPart: (n: number) =>
+        n === 0 ? "No pupil takes part yet." : n === 1 ? "One pupil takes part." : `${n} pupils take part.`,
+      export: "Export for a study (ZIP)",
+      exportHint:
+        "In the format ProgSnap2, without names; only of pupils who take part, and only since they do.",
+      end: "End the study",
+      ending: "The pupils' answers are deleted, and nothing can be exported any more. Export it first.",
+      endNow: "End it now",
     },
     projector: {
       title: "Projector",

@@ -105,6 +105,16 @@ export const classroom: Words["classroom"] = {
     gone: name => `«${name}» no está en este navegador, así que no se puede editar en conjunto.`,
     close: "Cerrar",
   },
+  study: {
+    asked:
+      "Tu clase participa en un estudio sobre cómo se aprende a programar. Si tú también participas, el equipo de investigación recibe lo que guardes, ejecutes y entregues desde ahora y hasta dónde llegas en las lecciones, sin tu nombre. No es obligatorio.",
+    takesPart: "Participas en el estudio de tu clase.",
+    takesNoPart: "No participas en el estudio de tu clase.",
+    contact: contact => `Preguntas: ${contact}.`,
+    agree: "Participo",
+    decline: "Yo no",
+    stop: "Dejar de participar",
+  },
   projector: {
     title: "Proyector",
     pupil: "Alguien de la clase",
@@ -220,6 +230,24 @@ export const classroom: Words["classroom"] = {
       declined: nickname => `${nickname} no quiere editar en conjunto ahora. Esto es una copia.`,
       ended: () => "La edición conjunta ha terminado. Los cambios de aquí ya no llegan al alumno.",
       line: (nickname, line) => `${nickname} está en la línea ${line}.`,
+    },
+    study: {
+      title: "Estudio",
+      off: "Esta clase no participa en ningún estudio.",
+      contact: "A quién pueden preguntar alumnos y familias (los alumnos lo ven)",
+      begin: "Esta clase participa en un estudio",
+      beginHint: "La página de cada alumno pregunta entonces si participa.",
+      takingPart: n =>
+        n === 0
+          ? "Todavía no participa nadie."
+          : n === 1
+            ? "Participa un alumno."
+            : `Participan ${n} alumnos.`,
+      export: "Exportar para un estudio (ZIP)",
+      exportHint: "En el formato ProgSnap2, sin nombres; solo de quienes participan y solo desde entonces.",
+      end: "Terminar el estudio",
+      ending: "Las respuestas de los alumnos se borran y ya no se puede exportar nada. Exporta primero.",
+      endNow: "Terminar ahora",
     },
     projector: {
       title: "Proyector",

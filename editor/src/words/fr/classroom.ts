@@ -109,6 +109,16 @@ export const classroom: Words["classroom"] = {
     gone: name => `« ${name} » n'est pas dans ce navigateur ; on ne peut donc pas le modifier ensemble.`,
     close: "Fermer",
   },
+  study: {
+    asked:
+      "Ta classe participe à une étude sur la façon d'apprendre à programmer. Si tu participes aussi, l'équipe de recherche reçoit ce que tu enregistres, exécutes et rends à partir de maintenant, et où tu en es dans les leçons, sans ton nom. Ce n'est pas obligatoire.",
+    takesPart: "Tu participes à l'étude de ta classe.",
+    takesNoPart: "Tu ne participes pas à l'étude de ta classe.",
+    contact: contact => `Questions : ${contact}.`,
+    agree: "Je participe",
+    decline: "Pas moi",
+    stop: "Ne plus participer",
+  },
   projector: {
     title: "Projecteur",
     pupil: "Un élève",
@@ -226,6 +236,25 @@ export const classroom: Words["classroom"] = {
       ended: () =>
         "La modification à deux est terminée. Les changements faits ici n'atteignent plus l'élève.",
       line: (nickname, line) => `${nickname} est à la ligne ${line}.`,
+    },
+    study: {
+      title: "Étude",
+      off: "Cette classe ne participe à aucune étude.",
+      contact: "À qui élèves et parents peuvent poser des questions (les élèves le voient)",
+      begin: "Cette classe participe à une étude",
+      beginHint: "La page de chaque élève demande alors si l'élève participe.",
+      takingPart: n =>
+        n === 0
+          ? "Personne ne participe encore."
+          : n === 1
+            ? "Un élève participe."
+            : `${n} élèves participent.`,
+      export: "Exporter pour une étude (ZIP)",
+      exportHint:
+        "Au format ProgSnap2, sans noms ; seulement pour ceux qui participent, et seulement depuis qu'ils participent.",
+      end: "Terminer l'étude",
+      ending: "Les réponses des élèves sont effacées, et plus rien ne peut être exporté. Exporte d'abord.",
+      endNow: "Terminer maintenant",
     },
     projector: {
       title: "Projecteur",

@@ -105,6 +105,16 @@ export const classroom: Words["classroom"] = {
     gone: name => `“${name}” não está neste navegador e por isso não pode ser editado em conjunto.`,
     close: "Fechar",
   },
+  study: {
+    asked:
+      "Sua turma participa de um estudo sobre como se aprende a programar. Se você também participar, os pesquisadores recebem o que você salvar, executar e entregar a partir de agora e até onde você chegou nas lições, sem o seu nome. Não é obrigatório.",
+    takesPart: "Você participa do estudo da sua turma.",
+    takesNoPart: "Você não participa do estudo da sua turma.",
+    contact: contact => `Perguntas: ${contact}.`,
+    agree: "Eu participo",
+    decline: "Eu não",
+    stop: "Deixar de participar",
+  },
   projector: {
     title: "Projetor",
     pupil: "Alguém da turma",
@@ -220,6 +230,20 @@ export const classroom: Words["classroom"] = {
       declined: nickname => `${nickname} não quer editar junto agora. Isto é uma cópia.`,
       ended: () => "A edição em conjunto terminou. As mudanças aqui não chegam mais ao aluno.",
       line: (nickname, line) => `${nickname} está na linha ${line}.`,
+    },
+    study: {
+      title: "Estudo",
+      off: "Esta turma não participa de nenhum estudo.",
+      contact: "A quem alunos e famílias podem perguntar (os alunos veem)",
+      begin: "Esta turma participa de um estudo",
+      beginHint: "A página de cada aluno pergunta então se ele participa.",
+      takingPart: n =>
+        n === 0 ? "Ninguém participa ainda." : n === 1 ? "Um aluno participa." : `${n} alunos participam.`,
+      export: "Exportar para um estudo (ZIP)",
+      exportHint: "No formato ProgSnap2, sem nomes; só de quem participa, e só desde então.",
+      end: "Encerrar o estudo",
+      ending: "As respostas dos alunos são apagadas, e nada mais pode ser exportado. Exporte antes.",
+      endNow: "Encerrar agora",
     },
     projector: {
       title: "Projetor",
