@@ -468,6 +468,8 @@ class Classroom:
         """Choose what the projectors show; what is returned says why not."""
         if request.pupil is not None and request.pupil not in self.roster.members:
             return Refused("request")
+        if request.task is not None and self.tasks.task(request.task) is None:
+            return Refused("request")
         self.projection.choose(request)
         return None
 
@@ -478,6 +480,10 @@ class Classroom:
         Raises:
             StoreError: the disk is broken.
         """
+        task = self.tasks.task(self.projection.choice.task or 0)
+        if task is not None:
+            nicknames = {member.pupil.id: member.pupil.nickname for member in self.roster.members.values()}
+            return self.projection.standings_shown(task.title, self.tasks.results(task.id), nicknames)
         member = self.roster.members.get(self.projection.choice.pupil or 0)
         if member is None:
             return await self.projection.shown(None, None, False, False)

@@ -93,6 +93,7 @@ export const board: Signal<Board> = signal({
   sharingLine: null,
   sharingRefused: null,
   projecting: null,
+  projectingTask: null,
   projectorSight: {named: false, program: false},
   sightAsked: null,
   tasks: [],

@@ -1,6 +1,9 @@
 /// Klassenmodus: die Karte zum Mitmachen, die Klassenleiste, die Tafel der Lehrkraft.
 
 import type {Words} from "../index.ts"
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("de")
 
 export const classroom: Words["classroom"] = {
   bar: "Klasse",
@@ -119,6 +122,9 @@ export const classroom: Words["classroom"] = {
     stop: "Nicht mehr mitmachen",
   },
   projector: {
+    place: "Platz",
+    time: "Zeit",
+    seconds: time => seconds(time, 1),
     title: "Beamer",
     pupil: "Ein Kind",
     program: "Programm",
@@ -250,6 +256,7 @@ export const classroom: Words["classroom"] = {
       endNow: "Jetzt beenden",
     },
     projector: {
+      showsStandings: title => `Der Beamer zeigt die Tabelle von „${title}“.`,
       title: "Beamer",
       open: "Seite für den Beamer öffnen",
       named: "Mit dem Spitznamen",
@@ -312,6 +319,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} von ${of}`,
     },
     check: {
+      project: "Plätze, Räume und Zeiten mit Spitznamen auf dem Beamer zeigen",
       title: "Alle in Räumen prüfen",
       lesson: "was die Lektion prüft",
       unmet: (checks: readonly string[]) => `Nicht bestanden: ${checks.join("; ")}.`,

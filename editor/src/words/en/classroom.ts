@@ -1,5 +1,9 @@
 /// Class mode: the card to join, the class bar, the teacher's board.
 
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("en")
+
 export const classroom = {
   bar: "Class",
   title: "Join your class",
@@ -112,6 +116,9 @@ export const classroom = {
     stop: "Stop taking part",
   },
   projector: {
+    place: "Place",
+    time: "Time",
+    seconds: (time: number) => seconds(time, 1),
     title: "Projector",
     pupil: "A pupil",
     program: "Program",
@@ -244,6 +251,7 @@ export const classroom = {
       endNow: "End it now",
     },
     projector: {
+      showsStandings: (title: string) => `The projector shows the table of “${title}”.`,
       title: "Projector",
       open: "Open the projector page",
       named: "With the nickname",
@@ -305,6 +313,7 @@ export const classroom = {
       steps: (done: number, of: number) => `${done} of ${of}`,
     },
     check: {
+      project: "Show places, rooms and times with nicknames on the projector",
       title: "Check all in rooms",
       lesson: "what its lesson checks",
       unmet: (checks: readonly string[]) => `Not passed: ${checks.join("; ")}.`,

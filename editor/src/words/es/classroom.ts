@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../number_formats.ts"
 
-const {count} = measuresOf("es")
+const {count, seconds} = measuresOf("es")
 
 export const classroom: Words["classroom"] = {
   bar: "Clase",
@@ -116,6 +116,9 @@ export const classroom: Words["classroom"] = {
     stop: "Dejar de participar",
   },
   projector: {
+    place: "Puesto",
+    time: "Tiempo",
+    seconds: time => seconds(time, 1),
     title: "Proyector",
     pupil: "Alguien de la clase",
     program: "Programa",
@@ -250,6 +253,7 @@ export const classroom: Words["classroom"] = {
       endNow: "Terminar ahora",
     },
     projector: {
+      showsStandings: title => `El proyector muestra la tabla de «${title}».`,
       title: "Proyector",
       open: "Abrir la página del proyector",
       named: "Con el apodo",
@@ -312,6 +316,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} de ${of}`,
     },
     check: {
+      project: "Mostrar puestos, salas y tiempos con los apodos en el proyector",
       title: "Probar todos en salas",
       lesson: "lo que comprueba su lección",
       unmet: (checks: readonly string[]) => `No superado: ${checks.join("; ")}.`,

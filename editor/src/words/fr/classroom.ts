@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../number_formats.ts"
 
-const {count} = measuresOf("fr")
+const {count, seconds} = measuresOf("fr")
 
 export const classroom: Words["classroom"] = {
   bar: "Classe",
@@ -120,6 +120,9 @@ export const classroom: Words["classroom"] = {
     stop: "Ne plus participer",
   },
   projector: {
+    place: "Place",
+    time: "Temps",
+    seconds: time => seconds(time, 1),
     title: "Projecteur",
     pupil: "Un élève",
     program: "Programme",
@@ -257,6 +260,7 @@ export const classroom: Words["classroom"] = {
       endNow: "Terminer maintenant",
     },
     projector: {
+      showsStandings: title => `Le projecteur montre le tableau de « ${title} ».`,
       title: "Projecteur",
       open: "Ouvrir la page du projecteur",
       named: "Avec le surnom",
@@ -319,6 +323,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} sur ${of}`,
     },
     check: {
+      project: "Montrer places, salles et temps avec les surnoms au projecteur",
       title: "Tester tous les programmes dans des salles",
       lesson: "ce que vérifie sa leçon",
       unmet: (checks: readonly string[]) => `Non réussi : ${checks.join(" ; ")}.`,

@@ -1,6 +1,9 @@
 /// Class mode in Portuguese: the card to join, the class bar, the teacher's board.
 
 import type {Words} from "../index.ts"
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("pt")
 
 export const classroom: Words["classroom"] = {
   bar: "Turma",
@@ -116,6 +119,9 @@ export const classroom: Words["classroom"] = {
     stop: "Deixar de participar",
   },
   projector: {
+    place: "Lugar",
+    time: "Tempo",
+    seconds: time => seconds(time, 1),
     title: "Projetor",
     pupil: "Alguém da turma",
     program: "Programa",
@@ -246,6 +252,7 @@ export const classroom: Words["classroom"] = {
       endNow: "Encerrar agora",
     },
     projector: {
+      showsStandings: title => `O projetor mostra a tabela de “${title}”.`,
       title: "Projetor",
       open: "Abrir a página do projetor",
       named: "Com o apelido",
@@ -307,6 +314,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} de ${of}`,
     },
     check: {
+      project: "Mostrar lugares, salas e tempos com os apelidos no projetor",
       title: "Testar todos em salas",
       lesson: "o que a lição verifica",
       unmet: (checks: readonly string[]) => `Não passou: ${checks.join("; ")}.`,
