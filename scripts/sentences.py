@@ -47,6 +47,7 @@ _SENTENCE_ERRORS = {
 # Modules whose English is not for users, or is put into words elsewhere.
 _EXEMPT = {
     "bench": "measurements, for developers",
+    "classroom/exports/study_readme.py": "description of a data set, for researchers",
     "classroom/word_list.py": "words of each language",
     "explain/wording.py": "English of explanations, which the page words by their ids",
     "lessons/schema.py": "documentation of a schema",

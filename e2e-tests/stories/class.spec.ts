@@ -258,6 +258,19 @@ test("a pupil hands in, hands in again until the teacher ends the task, and read
   await expect(teacher.getByRole("button", {name: "Check all"})).toBeVisible()
   expect(await faults(teacher)).toEqual([])
   await teacher.screenshot({path: screenshot("board-check"), fullPage: true})
+  // The projector shows who did best. Both passed no room, so they share the first place.
+  const showing = teacher.waitForEvent("popup")
+  await teacher.getByRole("button", {name: "Open the projector page"}).click()
+  const projector = await showing
+  await teacher
+    .getByRole("button", {name: "Show places, rooms and times with nicknames on the projector"})
+    .click()
+  await expect(projector.getByRole("heading", {name: "Drive a square"})).toBeVisible()
+  await expect(projector.getByRole("row")).toHaveText([/Place/, /1Ada0 of 1–/, /1Ben0 of 1–/])
+  await expect(teacher.getByTestId("projector-tool")).toContainText("table of “Drive a square”")
+  expect(await faults(projector)).toEqual([])
+  await projector.screenshot({path: screenshot("projector-standings")})
+  await projector.close()
   const opening = teacher.waitForEvent("popup")
   await teacher.getByRole("button", {name: "Open the worst room of Ada"}).click()
   const worst = new Learner(await opening)

@@ -8,6 +8,7 @@ export const apiPage = "api-docs/Rosy.html"
 export const preludePage = "prelude.html"
 export const guidePage = "guide/"
 export const teachersPage = "guide/class.html"
+export const studyPage = "guide/study.html"
 export const privacyPage = "guide/privacy.html"
 
 /// The address for a name as Haddock's anchors write it (`v:wait`); without one, the beginning of Rosy's page.

@@ -12,7 +12,7 @@ import logging
 import secrets
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Collection, Iterator
 from contextlib import ExitStack, closing
 from typing import IO
 
@@ -21,9 +21,11 @@ from ..sentences.wording import in_terminal
 from .authentication import Authenticator
 from .class_comments import ClassComments
 from .class_roster import ClassRoster, Member, PupilPage
+from .class_study import ClassStudy
 from .class_tasks import ClassTasks
 from .exports.class_export import write_export
 from .exports.hand_in_export import hand_ins_zip
+from .exports.study_export import new_key, write_study
 from .messages import board_messages as b
 from .messages import pupil_messages as p
 from .messages.check_messages import ROOMS_OF_A_MESSAGE, OpenRun, RoomsShown, RunShown, ShowRooms
@@ -72,6 +74,7 @@ class Classroom:
         self._disk_fault = False
         self.tasks = ClassTasks(store, self._store, time.time)
         self.comments = ClassComments(store, self._store, time.time)
+        self.study = ClassStudy(store, self._store, time.time)
         self.projection = Projection(self._newest_program)
         self.sharing = SharedEditing(self._participants)
         # The newest one for each pupil, and the newest one for those without one of their own.
@@ -177,6 +180,8 @@ class Classroom:
         self._show_tasks(page)
         if comments := self.comments.of_pupil(pupil.id):
             page.put(p.OwnComments(comments))
+        if self.study.is_on:
+            page.put(self.study.of_pupil(pupil.id))
         if self.attention is not None:
             page.put(p.Attention(self.attention))
         if (handout := self._handouts.get(pupil.id, self._handout)) is not None:
@@ -188,9 +193,12 @@ class Classroom:
             case p.Here():
                 page.session = request.session
             case p.Status():
-                if request.running and not member.state.running:
+                begins = request.running and not member.state.running
+                if begins:
                     self._run_clock.run_begins(self._states(), self.now())
                 member.state.report(id(page), request, self.now())
+                if begins:
+                    await self.study.run_begins(member.pupil.id, request.program)
             case p.Hand():
                 member.state.hand = request.up
             case p.Save():
@@ -199,6 +207,11 @@ class Classroom:
                 await self._hand_in(page, member, request)
             case p.Progress():
                 await self._add_progress(member.pupil.id, request)
+            case p.AnswerStudy():
+                if await self.study.answer(member.pupil.id, request.agrees):
+                    self._show_study(member.pupil.id)
+                else:
+                    page.put(Refused("request"))
             case p.CommentDone():
                 if await self.comments.set_done(member.pupil.id, request.comment, request.done):
                     self._show_comments(member.pupil.id)
@@ -322,6 +335,23 @@ class Classroom:
         if (pupil := await self.comments.remove(comment)) is not None:
             self._show_comments(pupil)
 
+    async def set_study(self, request: b.SetStudy) -> Refused | None:
+        """Let the class take part in a study, or end that; what is returned says why not."""
+        if not await self.study.set(request):
+            return Refused("request")
+        for pupil in self.roster.members:
+            self._show_study(pupil)
+        return None
+
+    def study_shown(self) -> b.StudyShown:
+        """The study of the class as the board shows it."""
+        return self.study.shown(set(self.roster.members))
+
+    def _show_study(self, pupil: int) -> None:
+        study = self.study.of_pupil(pupil)
+        for page in self.roster.pages_of(pupil):
+            page.put(study)
+
     def _show_comments(self, pupil: int) -> None:
         comments = p.OwnComments(self.comments.of_pupil(pupil))
         for page in self.roster.pages_of(pupil):
@@ -438,6 +468,8 @@ class Classroom:
         """Choose what the projectors show; what is returned says why not."""
         if request.pupil is not None and request.pupil not in self.roster.members:
             return Refused("request")
+        if request.task is not None and self.tasks.task(request.task) is None:
+            return Refused("request")
         self.projection.choose(request)
         return None
 
@@ -448,6 +480,10 @@ class Classroom:
         Raises:
             StoreError: the disk is broken.
         """
+        task = self.tasks.task(self.projection.choice.task or 0)
+        if task is not None:
+            nicknames = {member.pupil.id: member.pupil.nickname for member in self.roster.members.values()}
+            return self.projection.standings_shown(task.title, self.tasks.results(task.id), nicknames)
         member = self.roster.members.get(self.projection.choice.pupil or 0)
         if member is None:
             return await self.projection.shown(None, None, False, False)
@@ -481,7 +517,22 @@ class Classroom:
             StoreError: the database cannot be read.
             OSError: it is full.
         """
-        return await asyncio.to_thread(_backup, await self._store.call(ClassStore.beside, time.time()))
+        return await asyncio.to_thread(_in_file, await self._store.call(ClassStore.beside, time.time()), write_export)
+
+    async def study_export(self, lessons: Collection[str]) -> IO[bytes]:
+        """
+        The study of the class, as the ZIP file of ``./rosy class study``, from its start; ``lessons`` as there.
+
+        Raises:
+            BadInput: the class takes part in none, or nothing of it can be exported.
+            StoreError: the database cannot be read.
+            OSError: it is full.
+        """
+
+        def write(store: ClassStore, file: IO[bytes]) -> None:
+            write_study(store, file, new_key(), lessons)
+
+        return await asyncio.to_thread(_in_file, await self._store.call(ClassStore.beside, time.time()), write)
 
     async def _newest_program(self, pupil: int) -> Version | None:
         return next(iter(await self._store.call(ClassStore.programs, pupil)), None)
@@ -506,11 +557,11 @@ def _participant(page: PupilPage) -> Participant:
     return Participant(page, page.put)
 
 
-def _backup(store: ClassStore) -> IO[bytes]:
+def _in_file(store: ClassStore, write: Callable[[ClassStore, IO[bytes]], object]) -> IO[bytes]:
     # A store of its own, so that pupils' pages save meanwhile. The file has no name and is gone when it is closed.
     with closing(store), ExitStack() as stack:
         file = stack.enter_context(tempfile.TemporaryFile())
-        write_export(store, file)
+        write(store, file)
         file.seek(0)
         stack.pop_all()
         return file

@@ -1,5 +1,6 @@
 """
-Command ``./rosy class``: lists, exports, deletes and restores classes. ``marks`` is in ``written_tests``.
+Command ``./rosy class``: lists, exports, deletes and restores classes. ``marks`` is in ``written_tests``, ``study`` in
+``study_export``.
 """
 
 from __future__ import annotations
@@ -11,10 +12,12 @@ from pathlib import Path
 
 from ..atomic_file import AtomicFile
 from ..errors import BadInput
+from ..lessons.catalogue import lesson_names
 from ..sentences.sentence import Sentence, tr
 from ..sentences.terminal_text import neutralize_line
 from ..sentences.wording import in_terminal
 from .exports.class_export import write_export
+from .exports.study_export import kept_key, new_key, write_study
 from .store.class_places import ClassPlace, remove_expired
 from .store.database import DeletedClass
 from .store.retention import kept_until
@@ -24,11 +27,12 @@ __all__ = ["add_class_options", "deleted_sentence", "run_class_command"]
 
 def add_class_options(parser: argparse.ArgumentParser) -> None:
     """The arguments of the command."""
-    parser.add_argument("action", choices=("list", "export", "delete", "restore", "marks"))
+    parser.add_argument("action", choices=("list", "export", "delete", "restore", "marks", "study"))
     parser.add_argument("name", nargs="?")
     parser.add_argument("-o", dest="output", type=Path, metavar="FILE")
     parser.add_argument("--yes", action="store_true")
     parser.add_argument("--forever", action="store_true")
+    parser.add_argument("--key", type=Path, metavar="FILE")
     parser.add_argument("--as", dest="new_name", metavar="NAME")
 
 
@@ -38,19 +42,23 @@ def run_class_command(
     now: float,
     output: Callable[[str], None],
     answer: Callable[[], str | None],
+    examples: Path,
 ) -> int:
     """
     Run the command; returns the exit status.
 
     Args:
         now: the time, s since 1970.
+        examples: the folder of the examples, with the lessons.
         answer: the line that a person types; ``None`` when no person is at a terminal.
 
     Raises:
         BadInput: there is no such class, or it is in use, or the file cannot be written.
     """
-    if options.action != "export" and options.output is not None:
-        raise BadInput(tr("-o is for export and marks: the file to write."))
+    if options.action not in ("export", "study") and options.output is not None:
+        raise BadInput(tr("-o is for export, study and marks: the file to write."))
+    if options.action != "study" and options.key is not None:
+        raise BadInput(tr("--key is for study: the file with the key of the pseudonyms."))
     if options.action != "delete" and (options.yes or options.forever):
         raise BadInput(tr("--yes and --forever are for delete."))
     if options.action != "restore" and options.new_name is not None:
@@ -75,6 +83,13 @@ def run_class_command(
         say(tr("The class {name} is back.", name=name))
         return 0
     name = _chosen(place, options.name)
+    if options.action == "study":
+        target = options.output or Path(f"{name}-study.zip")
+        key = new_key() if options.key is None else kept_key(options.key)
+        with place.read(name) as store, AtomicFile(target, mode=0o600) as file:
+            pupils = write_study(store, file, key, lesson_names(examples / "lessons"))
+        say(tr("{file}: {pupils} pupils.", file=neutralize_line(str(target)), pupils=pupils))
+        return 0
     target = options.output or Path(f"{name}.zip")
     with place.read(name) as store, AtomicFile(target, mode=0o600) as file:
         programs = write_export(store, file)

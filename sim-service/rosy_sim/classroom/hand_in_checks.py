@@ -33,6 +33,7 @@ from .lesson_checks import check_by_lesson
 from .messages.check_messages import CheckAll, Checking, CheckNew, CheckResult, Fault
 from .messages.message_fields import Refused
 from .program_fingerprint import source_of
+from .standings import mean_time
 from .store.database import StoreError, fault_of
 from .store.task_store import HandInKept
 
@@ -142,7 +143,9 @@ class HandInChecks:
         if report.refused:
             return msgspec.structs.replace(self._faulty(request, "compile"), problems=report.refused), []
         rooms = _rooms(report)
-        return msgspec.structs.replace(self._faulty(request, None), passed=report.passed, worst=rooms[0]), rooms
+        return msgspec.structs.replace(
+            self._faulty(request, None), passed=report.passed, worst=rooms[0], time=mean_time(rooms)
+        ), rooms
 
     async def _result_by_lesson(self, request: CheckAll, project: str) -> tuple[CheckResult, list[TestedRoom]]:
         try:

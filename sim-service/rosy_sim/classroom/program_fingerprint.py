@@ -13,7 +13,7 @@ import re
 
 import msgspec
 
-__all__ = ["fingerprint", "source_of"]
+__all__ = ["bound_names", "fingerprint", "source_of", "without_comments"]
 
 _COMMENT_MARK = re.compile(r'"(?:\\.|[^"\\\n])*"?|--+(?![!#$%&*+./<=>?@\\^|~:-])[^\n]*|\{-|-\}')
 
@@ -48,8 +48,8 @@ def source_of(project: str) -> str:
 
 def fingerprint(source: str) -> str:
     """SHA-256 of a program's tokens, in hexadecimal digits."""
-    lines = [_TOKEN.findall(line) for line in _without_comments(source).split("\n")]
-    own = {name for line in lines for name in _bound_names(line)}
+    lines = [_TOKEN.findall(line) for line in without_comments(source).split("\n")]
+    own = {name for line in lines for name in bound_names(line)}
     numbers: dict[str, int] = {}
     digest = hashlib.sha256()
     for line in lines:
@@ -60,7 +60,7 @@ def fingerprint(source: str) -> str:
     return digest.hexdigest()
 
 
-def _without_comments(source: str) -> str:
+def without_comments(source: str) -> str:
     """Block comments nest (Haskell 2010 report, section 2.3)."""
     kept: list[str] = []
     depth = at = 0
@@ -79,7 +79,7 @@ def _without_comments(source: str) -> str:
     return "".join(kept) + (source[at:] if depth == 0 else "")
 
 
-def _bound_names(line: list[str]) -> list[str]:
+def bound_names(line: list[str]) -> list[str]:
     """Names of the program's own in a line: those before ``=``, ``::`` or ``<-``, and those of a lambda."""
     if line[:1] and line[0] in _NO_VALUES:
         return []

@@ -98,7 +98,7 @@ def _command(arguments: Sequence[str] | None) -> int:
         return mark_answers(config.examples / "written-tests.json", options.name, options.output, print_text)
     if options.command == "class":
         classes = class_place(config.classes, config.class_database)
-        return run_class_command(classes, options, time.time(), print_text, _typed_line)
+        return run_class_command(classes, options, time.time(), print_text, _typed_line, config.examples)
     if options.command == "lsp":
         # Imported for this command alone: the types of the protocol take a third of a second.
         from ..lsp.server import serve_editor

@@ -11,7 +11,7 @@ import msgspec
 
 from .lesson_file import Lesson, read_lesson
 
-__all__ = ["lesson_json", "lesson_list", "lesson_of_room", "lessons"]
+__all__ = ["lesson_json", "lesson_list", "lesson_names", "lesson_of_room", "lessons"]
 
 _NAME = re.compile(r"[a-z][a-z0-9-]{0,63}")
 
@@ -41,6 +41,16 @@ def lessons(folder: Path) -> list[Lesson]:
 @cache
 def _read(paths: tuple[Path, ...], _changed: object) -> tuple[Lesson, ...]:
     return tuple(sorted((read_lesson(path) for path in paths), key=lambda lesson: lesson.file.number))
+
+
+def lesson_names(folder: Path) -> frozenset[str]:
+    """
+    Names of all lessons of a folder.
+
+    Raises:
+        BadInput: a lesson has a mistake.
+    """
+    return frozenset(lesson.name for lesson in lessons(folder))
 
 
 def lesson_list(folder: Path) -> list[dict[str, Any]]:

@@ -62,7 +62,7 @@ def build_app(
         *NetworkAddresses(addresses).routes(),
         *Catalogue(config.examples, paths).routes(),
         *RecordingUpload(service.sessions, origins, service.budgets.uploads).routes(),
-        *(ClassFiles(classroom).routes() if classroom is not None else ()),
+        *(ClassFiles(classroom, config.examples).routes() if classroom is not None else ()),
         *more,
         *_pages(config),
     ]

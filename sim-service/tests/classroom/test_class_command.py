@@ -58,6 +58,26 @@ def test_an_export_has_every_program_and_its_history(
     assert [version["text"] for version in pupil["history"]] == ["old", "new", "other", "outside"]
 
 
+def test_a_study_is_exported_with_a_key_that_is_made(
+    classes: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    begin(classes)
+    command = ["class", "study", "7b", "-o", str(tmp_path / "out.zip"), "--key", str(tmp_path / "key")]
+    assert cli.main(command) == 1
+    assert "takes part in no study" in capsys.readouterr().err
+    assert not (tmp_path / "out.zip").exists()
+    with open_class(classes, "7b") as store:
+        store.study.begin("Prof. Eve", 0.0)
+        store.study.answer(1, 2.5)
+        assert cli.main(command) == 0
+    assert "1 pupils" in capsys.readouterr().out
+    with zipfile.ZipFile(tmp_path / "out.zip") as archive:
+        assert len(archive.read("MainTable.csv").splitlines()) == 3
+    assert (tmp_path / "key").stat().st_mode & 0o777 == 0o600
+    assert cli.main(["class", "export", "7b", "--key", "key"]) == 1
+    assert "--key is for study" in capsys.readouterr().err
+
+
 def test_a_class_is_exported_while_it_is_open(classes: Path, tmp_path: Path) -> None:
     begin(classes)
     with open_class(classes, "7b"):
@@ -66,6 +86,8 @@ def test_a_class_is_exported_while_it_is_open(classes: Path, tmp_path: Path) -> 
 
 DAY = 86_400.0
 
+EXAMPLES = Path(__file__).resolve().parents[3] / "examples"
+
 
 def told(classes: Path, command: str, now: float, typed: str | None = None) -> str:
     """What the command prints at a time, with what a person types at its question."""
@@ -73,7 +95,8 @@ def told(classes: Path, command: str, now: float, typed: str | None = None) -> s
     add_class_options(parser)
     lines: list[str] = []
     options = parser.parse_args(command.split())
-    assert run_class_command(class_place(classes, None), options, now, lines.append, lambda: typed) == 0
+    place = class_place(classes, None)
+    assert run_class_command(place, options, now, lines.append, lambda: typed, EXAMPLES) == 0
     return "\n".join(lines)
 
 

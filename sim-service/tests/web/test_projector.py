@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from rosy_sim.classroom.messages.check_messages import CheckResult
 from rosy_sim.config import Config
 
 from .test_class import Class, Client, in_class, save
@@ -64,6 +65,39 @@ def test_a_projector_shows_the_pupil_whom_the_teacher_chose(config: Config) -> N
         assert (await screen.op("projected"))["nickname"] == "Ben"
         await board.send("project", pupil=None)
         assert (await screen.op("projected"))["shows"] is False
+
+    in_class(config, lesson)
+
+
+def test_a_projector_shows_the_standings_of_a_task_when_the_teacher_chooses_it(config: Config) -> None:
+    async def lesson(opened: Class) -> None:
+        ada, entered = await opened.pupil("Ada")
+        await opened.pupil("Ben")
+        board = await opened.board()
+        screen = await projector(opened)
+        await board.send("project", pupil=None, task=1)
+        assert (await board.op("refused"))["reason"] == "request"
+        await board.send("open-task", title="Slalom")
+        await ada.op("tasks", such=lambda m: bool(m["tasks"]))
+        await ada.send("hand-in", task=1, name="walk", text="main = simulate move")
+        await ada.op("tasks", such=lambda m: m["tasks"][0]["handed_in"] is not None)
+        await board.send("project", pupil=None, task=1)
+        empty = await screen.op("projected", such=lambda m: m["standings"] is not None)
+        assert (empty["shows"], empty["standings"]) == (False, {"title": "Slalom", "rows": []})
+        assert (await board.op("projecting"))["task"] == 1
+
+        # A result that is new is shown, without the pupil who has not handed in.
+        tasks = opened.service.classroom.tasks if opened.service.classroom is not None else None
+        assert tasks is not None
+        (kept,) = await tasks.kept(1)
+        result = CheckResult(0.0, "maze", 10, 1, 20.0, "", passed=7, time=4.5)
+        await tasks.grade(1, kept.pupil, kept.at, result, [])
+        shown = await screen.op("projected", such=lambda m: bool(m["standings"]["rows"]))
+        assert shown["standings"]["rows"] == [[1, "Ada", 7, 10, 4.5]]
+
+        await board.send("project", pupil=entered["pupil"], task=1)
+        assert (await screen.op("projected"))["standings"] is None
+        assert (await board.op("projecting"))["task"] is None
 
     in_class(config, lesson)
 

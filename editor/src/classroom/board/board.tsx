@@ -36,6 +36,7 @@ import {ProjectorTool} from "./projector_tool.tsx"
 import {Pupils, PupilsInNeed} from "./pupil_cards.tsx"
 import {PupilOverview} from "./pupil_overview.tsx"
 import {ShownProgramDialog} from "./shown_program.tsx"
+import {StudyTool} from "./study_tool.tsx"
 
 /// Storage key: the board was an overview when it was shown last.
 const overviewKey = "rosy.board.overview"
@@ -69,6 +70,7 @@ function BoardPage({
   unlock,
   download,
   backUp,
+  exportStudy,
   programs,
   ownLessons,
   openRun,
@@ -137,6 +139,7 @@ function BoardPage({
             <ProjectorTool send={send} open={openProjector} />
             <RosterTool send={send} invitation={opened} />
             <BackupTool backUp={backUp} />
+            <StudyTool send={send} exportStudy={exportStudy} />
             <TaskTool tasks={tasks} pupils={pupils} send={send} refused={taskRefused} />
           </section>
           <HandIns

@@ -25,6 +25,8 @@ export interface BoardConnection {
   readonly download: (task: BoardTask) => Promise<boolean>
   /// Downloads everything that the class stores; whether that was possible.
   readonly backUp: () => Promise<boolean>
+  /// Downloads what a study of the class may use; whether that was possible.
+  readonly exportStudy: () => Promise<boolean>
   /// Opens a pupil's program for a task in one of the rooms of its check, by the number of the room.
   readonly openRun: (task: number, pupil: number, room: number) => void
   /// Opens the page for the projector in a window of its own.
@@ -57,12 +59,15 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
           refused: null,
           storeFault: null,
           door: {locked: false, removed: []},
+          study: {contact: null, takingPart: 0},
           results: new Map(),
         })
       } else if (message.op === "refused") {
         if (message.reason === "key" || message.reason === "attempts") storage.tab.removeItem(teacherKey)
         showRefusal(message.reason)
       } else if (message.op === "door") change({door: {locked: message.locked, removed: message.removed}})
+      else if (message.op === "study")
+        change({study: {contact: message.contact, takingPart: message.takingPart}})
       else if (message.op === "pupils-added")
         change({added: {added: message.added, refused: message.refused}})
       else if (message.op === "store") change({storeFault: message.fault})
@@ -112,9 +117,6 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
     key = typed.trim()
     send({op: "unlock", key})
   }
-  const download = (task: BoardTask) => downloadHandIns(task, key ?? "")
-  const backUp = () =>
-    downloadZip("api/class-backup", `rosy-class-${new Date().toISOString().slice(0, 10)}.zip`, key ?? "")
   const openRun = (task: number, pupil: number, room: number) => {
     tabs.open(pupil, room)
     send({op: "open-run", task, pupil, room})
@@ -125,7 +127,7 @@ export function openBoardConnection(storage: BrowserStorage): BoardConnection {
     projector.hash = `key=${key ?? ""}`
     window.open(projector, "rosy-projector")
   }
-  return {send, unlock, download, backUp, openRun, openProjector}
+  return {send, unlock, ...downloads(() => key ?? ""), openRun, openProjector}
 }
 
 const rosterRequests: readonly BoardRequest["op"][] = [
@@ -185,9 +187,15 @@ function openRunTabs() {
   }
 }
 
-/// The programs of a task and a table of them, as a ZIP file; whether there was one.
-const downloadHandIns = (task: BoardTask, key: string): Promise<boolean> =>
-  downloadZip(`api/hand-ins/${task.id}`, `${task.title}.zip`, key)
+/// ZIP files that the service makes, with the teacher's key; whether there was one.
+function downloads(keyNow: () => string): Pick<BoardConnection, "download" | "backUp" | "exportStudy"> {
+  const today = () => new Date().toISOString().slice(0, 10)
+  return {
+    download: task => downloadZip(`api/hand-ins/${task.id}`, `${task.title}.zip`, keyNow()),
+    backUp: () => downloadZip("api/class-backup", `rosy-class-${today()}.zip`, keyNow()),
+    exportStudy: () => downloadZip("api/class-study", `rosy-study-${today()}.zip`, keyNow()),
+  }
+}
 
 async function downloadZip(path: string, name: string, key: string): Promise<boolean> {
   try {

@@ -23,6 +23,13 @@ export function ResultTable({task, pupils, results, send, open}: ResultProps): V
   if (rows.length === 0) return null
   return (
     <div class="board-scroll">
+      <button
+        type="button"
+        class="plain"
+        onClick={() => send({op: "project", pupil: null, named: false, program: false, task})}
+      >
+        {w.project}
+      </button>
       <table class="room-test-table" data-testid="check-results">
         <caption>{w.results}</caption>
         <thead>

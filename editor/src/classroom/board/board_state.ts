@@ -9,6 +9,7 @@ import type {
   PupilShown,
   PupilsAdded,
   StoreFault,
+  StudyShown,
   Suspended,
 } from "../../wire/classroom/board_messages.generated.ts"
 import type {Checking} from "../../wire/classroom/check_messages.generated.ts"
@@ -65,6 +66,7 @@ export interface Board extends ProjectorChoice {
   readonly results: ReadonlyMap<number, Results>
   readonly checkRefused: string | null
   readonly door: Omit<DoorShown, "op">
+  readonly study: Omit<StudyShown, "op">
   /// What became of the last list of names; why the last change of a pupil was not made.
   readonly added: Omit<PupilsAdded, "op"> | null
   readonly rosterRefused: string | null
@@ -91,6 +93,7 @@ export const board: Signal<Board> = signal({
   sharingLine: null,
   sharingRefused: null,
   projecting: null,
+  projectingTask: null,
   projectorSight: {named: false, program: false},
   sightAsked: null,
   tasks: [],
@@ -100,6 +103,7 @@ export const board: Signal<Board> = signal({
   results: new Map(),
   checkRefused: null,
   door: {locked: false, removed: []},
+  study: {contact: null, takingPart: 0},
   added: null,
   rosterRefused: null,
   selected: new Set(),

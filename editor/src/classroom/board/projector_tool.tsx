@@ -13,8 +13,9 @@ interface Props {
 
 export function ProjectorTool({send, open}: Props): VNode {
   const w = words.classroom.board.projector
-  const {projecting, projectorSight: sight, pupils} = board.value
+  const {projecting, projectingTask, projectorSight: sight, pupils, tasks} = board.value
   const nickname = pupils.find(({id}) => id === projecting)?.nickname ?? null
+  const title = tasks.find(({id}) => id === projectingTask)?.title ?? null
   const look = (to: Partial<typeof sight>) => {
     const {choice, request} = lookAt(board.value, to)
     change(choice)
@@ -42,8 +43,10 @@ export function ProjectorTool({send, open}: Props): VNode {
         />
         <span>{w.program}</span>
       </label>
-      <p role="status">{nickname === null ? w.nothing : w.shows(nickname)}</p>
-      {nickname !== null && (
+      <p role="status">
+        {title !== null ? w.showsStandings(title) : nickname === null ? w.nothing : w.shows(nickname)}
+      </p>
+      {(nickname !== null || title !== null) && (
         <button
           type="button"
           class="plain"

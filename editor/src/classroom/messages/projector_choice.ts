@@ -5,11 +5,13 @@ import type {BoardRequest} from "../../wire/classroom/board_messages.generated.t
 import type {Projecting} from "../../wire/classroom/projector_messages.generated.ts"
 
 /// How the projector shows pupils: with their nicknames, and with their programs beside the room.
-export type ProjectorSight = Omit<Projecting, "op" | "pupil">
+export type ProjectorSight = Omit<Projecting, "op" | "pupil" | "task">
 
 export interface ProjectorChoice {
   /// The pupil who is shown.
   readonly projecting: number | null
+  /// The task whose standings are shown.
+  readonly projectingTask: number | null
   /// How pupils are shown from now on.
   readonly projectorSight: ProjectorSight
   /// Whether the service has not yet told what this teacher chose last; `unsent` while no pupil is shown.
@@ -24,9 +26,9 @@ export interface Chosen {
 /// The teacher wants pupils to be shown in another way, also the one who is shown already.
 export function lookAt(choice: ProjectorChoice, to: Partial<ProjectorSight>): Chosen {
   const projectorSight = {...choice.projectorSight, ...to}
-  const {projecting} = choice
+  const {projecting, projectingTask} = choice
   return {
-    choice: {projecting, projectorSight, sightAsked: projecting === null ? "unsent" : "sent"},
+    choice: {projecting, projectingTask, projectorSight, sightAsked: projecting === null ? "unsent" : "sent"},
     request: projecting === null ? null : {op: "project", pupil: projecting, ...projectorSight},
   }
 }
@@ -34,15 +36,18 @@ export function lookAt(choice: ProjectorChoice, to: Partial<ProjectorSight>): Ch
 /// The service tells what was chosen.
 export function choiceHeard(
   choice: ProjectorChoice,
-  {pupil, named, program}: {readonly pupil: number | null} & ProjectorSight,
+  {pupil, named, program, task}: Omit<Projecting, "op">,
 ): Chosen {
   const {projectorSight, sightAsked} = choice
-  if (pupil === null) return {choice: {...choice, projecting: null}, request: null}
+  if (pupil === null) return {choice: {...choice, projecting: null, projectingTask: task}, request: null}
   const isAsked = named === projectorSight.named && program === projectorSight.program
   if (sightAsked === null || isAsked)
-    return {choice: {projecting: pupil, projectorSight: {named, program}, sightAsked: null}, request: null}
+    return {
+      choice: {projecting: pupil, projectingTask: null, projectorSight: {named, program}, sightAsked: null},
+      request: null,
+    }
   return {
-    choice: {projecting: pupil, projectorSight, sightAsked: "sent"},
+    choice: {projecting: pupil, projectingTask: null, projectorSight, sightAsked: "sent"},
     request: sightAsked === "unsent" ? {op: "project", pupil, ...projectorSight} : null,
   }
 }

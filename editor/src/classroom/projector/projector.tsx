@@ -1,4 +1,4 @@
-/// Page for the projector: the room of the pupil whom the teacher has chosen on the board, large, with the nickname and the program if the teacher wants them; without a choice the address and the code with which pupils join.
+/// Page for the projector: the room of the pupil whom the teacher has chosen on the board, large, with the nickname and the program if the teacher wants them; or the standings of a task; without a choice the address and the code with which pupils join.
 
 import "@fontsource/inter/400.css"
 import "@fontsource/inter/600.css"
@@ -30,6 +30,7 @@ import {KeyForm} from "../common/key_form.tsx"
 import {openClassSocket} from "../messages/class_socket.ts"
 import {teacherKey} from "../messages/membership.ts"
 import {type ProjectorMessage, readProjectorMessage} from "../messages/projector_messages.ts"
+import {StandingsTable} from "./standings_table.tsx"
 
 interface Screen {
   readonly isLost: boolean
@@ -105,8 +106,9 @@ function ProjectorPage({screen, room, unlock}: Props): VNode {
   const w = words.classroom.projector
   const {isLost, refused, projected, invitation} = screen.value
   if (projected === null) return <KeyForm title={w.title} isLost={isLost} refused={refused} unlock={unlock} />
-  const {shows, nickname, online, running, haskell} = projected
+  const {shows, nickname, online, running, haskell, standings} = projected
   const states = words.classroom.board
+  if (standings !== null) return <StandingsTable standings={standings} isLost={isLost} />
   if (!shows)
     return (
       <main class="projector-empty" data-testid="projector">

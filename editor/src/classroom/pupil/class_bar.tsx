@@ -12,6 +12,7 @@ import type {ClassState} from "./class_state.ts"
 import {CommentLines} from "./comment_lines.tsx"
 import type {SharingCommands} from "./pupil_sharing.ts"
 import {SharingLine} from "./sharing_lines.tsx"
+import {StudyLine} from "./study_line.tsx"
 import {TaskLines} from "./task_lines.tsx"
 
 /// What the card and the bar show, and their commands.
@@ -27,6 +28,7 @@ export interface ClassCommands extends SharingCommands {
   foldHandout(folded: boolean): void
   handIn(task: number): void
   closeComment(task: OwnTask): void
+  answerStudy(agrees: boolean): void
   leave(): void
   /// The open program with its entry in the program store.
   readonly open: {readonly value: {readonly program: Program; readonly id: string | null}}
@@ -42,7 +44,8 @@ interface Props {
 
 export function ClassBar({commands}: Props): VNode {
   const w = words.classroom
-  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing} = commands.state.value
+  const {member, link, saved, hand, handout, isHandoutFolded, blockComments, sharing, study} =
+    commands.state.value
   const isSaved = link === "open" && (saved === "saved" || saved === "saving")
   return (
     <section class="class-bar" aria-label={w.bar} data-testid="class-bar">
@@ -102,6 +105,7 @@ export function ClassBar({commands}: Props): VNode {
           endSharing={commands.endSharing}
         />
       )}
+      {member !== null && study !== null && <StudyLine {...study} answer={commands.answerStudy} />}
       {member !== null && handout !== null && !isHandoutFolded && (
         <p class="class-handout" role="status">
           <span>{w.handouts[handout.what](handout.name)}</span>

@@ -68,7 +68,7 @@ export class ClassConnection {
     this.admission = openClassAdmission(this.memberships, this.sendAlways, this.dispatch)
     this.sync = this.openSync(page)
     this.sharing = openPupilSharing(page, this.state, this.dispatch, this.send)
-    this.status = openStatus(store, this.send)
+    this.status = openStatus(store, page.loader.storedId, this.send)
     this.progress = openClassProgress(store, storage.shared, this.send)
     this.pause = openPause(store)
     this.endTasks = openTaskTimers(task => this.dispatch({kind: "task-ended", task}))

@@ -5,6 +5,7 @@ import type {Refusal} from "../../wire/classroom/message_fields.generated.ts"
 import type {
   Handout,
   OwnComment,
+  OwnStudy,
   OwnTask,
   PupilAnswer,
 } from "../../wire/classroom/pupil_messages.generated.ts"
@@ -36,6 +37,8 @@ export interface ClassState {
   readonly blockComments: readonly OwnComment[]
   /// Editing together with the teacher.
   readonly sharing: Sharing | null
+  /// The study in which the class takes part, and the pupil's answer.
+  readonly study: {readonly contact: string; readonly takesPart: OwnStudy["takesPart"]} | null
 }
 
 export type Sharing =
@@ -67,6 +70,7 @@ export const firstClassState: ClassState = {
   readComments: [],
   blockComments: [],
   sharing: null,
+  study: null,
 }
 
 export type ClassEvent =
@@ -177,6 +181,8 @@ function heard(state: ClassState, message: PupilAnswer, receivedHandouts: readon
         refused: null,
         card,
         attention: null,
+        // It comes again while the study goes on.
+        study: null,
       }
     }
     case "refused":
@@ -212,6 +218,10 @@ function heard(state: ClassState, message: PupilAnswer, receivedHandouts: readon
       return {...state, handIn: {task: message.task, state: message.reason}}
     case "comments":
       return {...state, blockComments: message.comments}
+    case "study": {
+      const {contact, takesPart} = message
+      return {...state, study: contact === null ? null : {contact, takesPart}}
+    }
     case "class":
     case "program":
     case "saved":

@@ -69,6 +69,7 @@ function classCommands(page: PageOfClass, connection: ClassConnection, memory: C
     closeComment(task) {
       dispatch({kind: "comments-read", comments: memory.addReadComment(commentKey(task))})
     },
+    answerStudy: agrees => send({op: "answer-study", agrees}),
     leave() {
       sync.save("change")
       const programs = memberships.read()?.programs ?? {}

@@ -41,13 +41,18 @@ export function watchChanges(
 }
 
 /// Tells the board what the page shows, whenever it changes.
-export function openStatus(store: Store, send: (message: PupilRequest) => boolean) {
+export function openStatus(
+  store: Store,
+  /// The identifier of the open program, `null` for one that is not stored.
+  openProgram: () => string | null,
+  send: (message: PupilRequest) => boolean,
+) {
   let told = ""
   let session: string | null = null
   const tell = (state: PageState) => {
     if (state.session !== session && state.session !== null && send({op: "here", session: state.session}))
       session = state.session
-    const now = statusOf(state)
+    const now = {...statusOf(state), program: openProgram()}
     const text = JSON.stringify(now)
     if (text !== told && send({op: "status", ...now})) told = text
   }
@@ -61,7 +66,7 @@ export function openStatus(store: Store, send: (message: PupilRequest) => boolea
   }
 }
 
-function statusOf(state: PageState): Omit<Status, "op"> {
+function statusOf(state: PageState): Omit<Status, "op" | "program"> {
   const {open} = state.lessons
   const isError = (finding: {readonly severity: string}) => finding.severity === "error"
   return {

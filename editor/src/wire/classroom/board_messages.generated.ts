@@ -124,6 +124,12 @@ export interface LockDoor {
   readonly locked: boolean
 }
 
+/// The class takes part in a study, about which pupils ask `contact`; `null` ends it.
+export interface SetStudy {
+  readonly op: "set-study"
+  readonly contact: string | null
+}
+
 /// The key fits.
 export interface BoardShown {
   readonly op: "board"
@@ -262,6 +268,18 @@ export const doorShown: read.Decoder<DoorShown> = /*#__PURE__*/ read.struct<Door
   locked: read.boolean,
   removed: read.items(removedShown),
 })
+
+/// Whom pupils ask about the study of the class, `null` without a study; and how many pupils take part.
+export interface StudyShown {
+  readonly op: "study"
+  readonly contact: string | null
+  readonly takingPart: number
+}
+export const studyShown: read.Decoder<StudyShown> = /*#__PURE__*/ read.struct<StudyShown>({
+  op: read.tag("study"),
+  contact: read.nullable(read.string),
+  takingPart: read.integer,
+}, {"takingPart": "taking_part"})
 
 /// The room that a pupil's page shows.
 export interface RoomShown {
@@ -437,6 +455,7 @@ export type BoardAnswer =
   | PupilsShown
   | PupilsAdded
   | DoorShown
+  | StudyShown
   | RoomShown
   | PlacesShown
   | ProgramShown
@@ -463,6 +482,7 @@ export const boardAnswer: read.Decoder<BoardAnswer> = /*#__PURE__*/ read.tagged<
   "pupils": pupilsShown,
   "pupils-added": pupilsAdded,
   "door": doorShown,
+  "study": studyShown,
   "room": roomShown,
   "places": placesShown,
   "program": programShown,
@@ -492,6 +512,7 @@ export type BoardRequest =
   | RestorePupil
   | MergePupils
   | LockDoor
+  | SetStudy
   | OpenProgram
   | SetAttention
   | LowerHand

@@ -80,7 +80,8 @@ export type Fault = (typeof faults)[number]
 /// How a hand-in did: in `passed` of `rooms` rooms it went well, and `worst` is the room in which it did worst. With a
 /// `fault` there are no outcomes; `problems` are those of a program that does not compile. `checked` is in s since
 /// 1970; the family, the seed and the properties are those of the request. `unmet` are the checks of the lesson that
-/// did not pass, by language; a check by the lesson has no `worst`.
+/// did not pass, by language; a check by the lesson has no `worst` and no `time`, which is that of
+/// `standings.mean_time`.
 export interface CheckResult {
   readonly checked: number
   readonly family: string
@@ -93,6 +94,7 @@ export interface CheckResult {
   readonly problems: readonly problem.Problem[]
   readonly worst: room_tests.TestedRoom | null
   readonly unmet: readonly {readonly [name: string]: string}[]
+  readonly time: number | null
 }
 export const checkResult: read.Decoder<CheckResult> = /*#__PURE__*/ read.struct<CheckResult>({
   checked: read.number,
@@ -106,6 +108,7 @@ export const checkResult: read.Decoder<CheckResult> = /*#__PURE__*/ read.struct<
   problems: read.absent(read.items(problem.problem), []),
   worst: read.absent(read.nullable(room_tests.testedRoom), null),
   unmet: read.absent(read.items(read.record(read.string)), []),
+  time: read.absent(read.nullable(read.number), null),
 })
 
 /// The result of a hand-in, a `CheckResult`; `null` when the pupil has handed in again since.

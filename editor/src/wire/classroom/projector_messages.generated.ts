@@ -5,12 +5,13 @@ import * as message_fields from "./message_fields.generated.ts"
 import * as runs from "../page/runs.generated.ts"
 
 /// Request of the board: show the room of a pupil on the projectors, `named` with the nickname, with `program` beside
-/// it; `null` shows nothing.
+/// it; `null` shows nothing, or the standings of `task` with nicknames.
 export interface Project {
   readonly op: "project"
   readonly pupil: number | null
   readonly named?: boolean
   readonly program?: boolean
+  readonly task?: number | null
 }
 
 /// Answer to the board: what the projectors show.
@@ -19,12 +20,14 @@ export interface Projecting {
   readonly pupil: number | null
   readonly named: boolean
   readonly program: boolean
+  readonly task: number | null
 }
 export const projecting: read.Decoder<Projecting> = /*#__PURE__*/ read.struct<Projecting>({
   op: read.tag("projecting"),
   pupil: read.nullable(read.integer),
   named: read.boolean,
   program: read.boolean,
+  task: read.absent(read.nullable(read.integer), null),
 })
 
 /// Request of a projector: the teacher's key.
@@ -45,8 +48,35 @@ export const invitation: read.Decoder<Invitation> = /*#__PURE__*/ read.struct<In
   addresses: read.items(read.string),
 })
 
+/// A pupil in the standings of a task; `time` is that of `CheckResult`.
+export interface Standing {
+  readonly place: number
+  readonly nickname: string
+  readonly passed: number
+  readonly rooms: number
+  readonly time: number | null
+}
+export const standing: read.Decoder<Standing> = /*#__PURE__*/ read.row<Standing>({
+  place: read.integer,
+  nickname: read.string,
+  passed: read.integer,
+  rooms: read.integer,
+  time: read.nullable(read.number),
+})
+
+/// The standings of a task, the first place first.
+export interface Standings {
+  readonly title: string
+  readonly rows: readonly Standing[]
+}
+export const standings: read.Decoder<Standings> = /*#__PURE__*/ read.struct<Standings>({
+  title: read.string,
+  rows: read.items(standing),
+})
+
 /// Answer to a projector: what it shows now. `number` is another one whenever the teacher chooses another pupil.
-/// `nickname` is `null` for a pupil who is not named, `haskell` without a program beside the room.
+/// `nickname` is `null` for a pupil who is not named, `haskell` without a program beside the room. `standings` are
+/// shown in place of a pupil.
 export interface Projected {
   readonly op: "projected"
   readonly number: number
@@ -55,6 +85,7 @@ export interface Projected {
   readonly online: boolean
   readonly running: boolean
   readonly haskell: string | null
+  readonly standings: Standings | null
 }
 export const projected: read.Decoder<Projected> = /*#__PURE__*/ read.struct<Projected>({
   op: read.tag("projected"),
@@ -64,6 +95,7 @@ export const projected: read.Decoder<Projected> = /*#__PURE__*/ read.struct<Proj
   online: read.boolean,
   running: read.boolean,
   haskell: read.nullable(read.string),
+  standings: read.absent(read.nullable(standings), null),
 })
 
 /// Answer to a projector: the room.

@@ -77,12 +77,13 @@ export interface Read {
   readonly program: string
 }
 
-/// What the board shows of the page; `null` is no lesson.
+/// What the board shows of the page; `null` is no lesson, and a `program` that is not stored.
 export interface Status {
   readonly op: "status"
   readonly errors: boolean
   readonly running: boolean
   readonly lesson?: message_fields.LessonProgress | null
+  readonly program?: string | null
 }
 
 /// Raise or lower the hand.
@@ -113,6 +114,12 @@ export interface CommentDone {
   readonly op: "comment-done"
   readonly comment: number
   readonly done: boolean
+}
+
+/// The pupil takes part in the study of the class, or does not.
+export interface AnswerStudy {
+  readonly op: "answer-study"
+  readonly agrees: boolean
 }
 
 /// The first message of a connection: a public identifier of the class, with which a browser tells classes apart that
@@ -332,6 +339,19 @@ export const ownComments: read.Decoder<OwnComments> = /*#__PURE__*/ read.struct<
   comments: read.items(ownComment),
 })
 
+/// Whom to ask about the study of the class, `null` without a study; and whether the pupil takes part, `null` without
+/// an answer.
+export interface OwnStudy {
+  readonly op: "study"
+  readonly contact: string | null
+  readonly takesPart: boolean | null
+}
+export const ownStudy: read.Decoder<OwnStudy> = /*#__PURE__*/ read.struct<OwnStudy>({
+  op: read.tag("study"),
+  contact: read.nullable(read.string),
+  takesPart: read.nullable(read.boolean),
+}, {"takesPart": "takes_part"})
+
 export type PupilAnswer =
   | ClassNamed
   | Entered
@@ -347,6 +367,7 @@ export type PupilAnswer =
   | OwnTasks
   | NotHandedIn
   | OwnComments
+  | OwnStudy
   | shared_messages.Asked
   | shared_messages.Shared
   | shared_messages.Updates
@@ -367,6 +388,7 @@ export const pupilAnswer: read.Decoder<PupilAnswer> = /*#__PURE__*/ read.tagged<
   "tasks": ownTasks,
   "not-handed-in": notHandedIn,
   "comments": ownComments,
+  "study": ownStudy,
   "asked-to-share": shared_messages.asked,
   "shared": shared_messages.shared,
   "updates": shared_messages.updates,
@@ -387,6 +409,7 @@ export type PupilRequest =
   | HandIn
   | Progress
   | CommentDone
+  | AnswerStudy
   | shared_messages.Share
   | shared_messages.Decline
   | shared_messages.Push

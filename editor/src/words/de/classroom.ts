@@ -1,6 +1,9 @@
 /// Klassenmodus: die Karte zum Mitmachen, die Klassenleiste, die Tafel der Lehrkraft.
 
 import type {Words} from "../index.ts"
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("de")
 
 export const classroom: Words["classroom"] = {
   bar: "Klasse",
@@ -108,7 +111,20 @@ export const classroom: Words["classroom"] = {
     gone: name => `„${name}“ ist nicht in diesem Browser und kann deshalb nicht zusammen bearbeitet werden.`,
     close: "Schließen",
   },
+  study: {
+    asked:
+      "Deine Klasse nimmt an einer Studie darüber teil, wie man programmieren lernt. Machst du auch mit, bekommen Forschende, was du ab jetzt speicherst, laufen lässt und abgibst und wie weit du in Lektionen bist, ohne deinen Namen. Du musst nicht.",
+    takesPart: "Du nimmst an der Studie deiner Klasse teil.",
+    takesNoPart: "Du nimmst nicht an der Studie deiner Klasse teil.",
+    contact: contact => `Fragen an: ${contact}.`,
+    agree: "Ich mache mit",
+    decline: "Ohne mich",
+    stop: "Nicht mehr mitmachen",
+  },
   projector: {
+    place: "Platz",
+    time: "Zeit",
+    seconds: time => seconds(time, 1),
     title: "Beamer",
     pupil: "Ein Kind",
     program: "Programm",
@@ -224,7 +240,23 @@ export const classroom: Words["classroom"] = {
       ended: () => "Das gemeinsame Bearbeiten ist zu Ende. Änderungen hier erreichen das Kind nicht mehr.",
       line: (nickname, line) => `${nickname} ist in Zeile ${line}.`,
     },
+    study: {
+      title: "Studie",
+      off: "Diese Klasse nimmt an keiner Studie teil.",
+      contact: "Wen Kinder und Eltern fragen können (die Kinder sehen es)",
+      begin: "Diese Klasse nimmt an einer Studie teil",
+      beginHint: "Dann fragt jede Seite der Klasse, ob das Kind mitmacht.",
+      takingPart: n =>
+        n === 0 ? "Noch niemand macht mit." : n === 1 ? "Ein Kind macht mit." : `${n} Kinder machen mit.`,
+      export: "Für eine Studie exportieren (ZIP)",
+      exportHint: "Im Format ProgSnap2, ohne Namen; nur von denen, die mitmachen, und nur seitdem.",
+      end: "Studie beenden",
+      ending:
+        "Die Antworten der Kinder werden gelöscht, und nichts lässt sich mehr exportieren. Exportiere vorher.",
+      endNow: "Jetzt beenden",
+    },
     projector: {
+      showsStandings: title => `Der Beamer zeigt die Tabelle von „${title}“.`,
       title: "Beamer",
       open: "Seite für den Beamer öffnen",
       named: "Mit dem Spitznamen",
@@ -287,6 +319,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} von ${of}`,
     },
     check: {
+      project: "Plätze, Räume und Zeiten mit Spitznamen auf dem Beamer zeigen",
       title: "Alle in Räumen prüfen",
       lesson: "was die Lektion prüft",
       unmet: (checks: readonly string[]) => `Nicht bestanden: ${checks.join("; ")}.`,

@@ -1,5 +1,9 @@
 /// Class mode: the card to join, the class bar, the teacher's board.
 
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("en")
+
 export const classroom = {
   bar: "Class",
   title: "Join your class",
@@ -101,7 +105,20 @@ export const classroom = {
     gone: (name: string) => `“${name}” is not in this browser, so it cannot be edited together.`,
     close: "Close",
   },
+  study: {
+    asked:
+      "Your class takes part in a study about learning to program. If you take part, too, researchers get what you save, run and hand in from now on, and how far you are in lessons, without your name. You need not.",
+    takesPart: "You take part in the study of your class.",
+    takesNoPart: "You do not take part in the study of your class.",
+    contact: (contact: string) => `Questions: ${contact}.`,
+    agree: "I take part",
+    decline: "Not me",
+    stop: "Stop taking part",
+  },
   projector: {
+    place: "Place",
+    time: "Time",
+    seconds: (time: number) => seconds(time, 1),
     title: "Projector",
     pupil: "A pupil",
     program: "Program",
@@ -218,7 +235,23 @@ export const classroom = {
         "Editing together has ended. Changes here do not reach the pupil any more.",
       line: (nickname: string, line: number) => `${nickname} is in line ${line}.`,
     },
+    study: {
+      title: "Study",
+      off: "This class takes part in no study.",
+      contact: "Whom pupils and parents can ask (pupils see it)",
+      begin: "This class takes part in a study",
+      beginHint: "Each pupil's page then asks whether the pupil takes part.",
+      takingPart: (n: number) =>
+        n === 0 ? "No pupil takes part yet." : n === 1 ? "One pupil takes part." : `${n} pupils take part.`,
+      export: "Export for a study (ZIP)",
+      exportHint:
+        "In the format ProgSnap2, without names; only of pupils who take part, and only since they do.",
+      end: "End the study",
+      ending: "The pupils' answers are deleted, and nothing can be exported any more. Export it first.",
+      endNow: "End it now",
+    },
     projector: {
+      showsStandings: (title: string) => `The projector shows the table of “${title}”.`,
       title: "Projector",
       open: "Open the projector page",
       named: "With the nickname",
@@ -280,6 +313,7 @@ export const classroom = {
       steps: (done: number, of: number) => `${done} of ${of}`,
     },
     check: {
+      project: "Show places, rooms and times with nicknames on the projector",
       title: "Check all in rooms",
       lesson: "what its lesson checks",
       unmet: (checks: readonly string[]) => `Not passed: ${checks.join("; ")}.`,

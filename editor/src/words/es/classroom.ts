@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../number_formats.ts"
 
-const {count} = measuresOf("es")
+const {count, seconds} = measuresOf("es")
 
 export const classroom: Words["classroom"] = {
   bar: "Clase",
@@ -105,7 +105,20 @@ export const classroom: Words["classroom"] = {
     gone: name => `«${name}» no está en este navegador, así que no se puede editar en conjunto.`,
     close: "Cerrar",
   },
+  study: {
+    asked:
+      "Tu clase participa en un estudio sobre cómo se aprende a programar. Si tú también participas, el equipo de investigación recibe lo que guardes, ejecutes y entregues desde ahora y hasta dónde llegas en las lecciones, sin tu nombre. No es obligatorio.",
+    takesPart: "Participas en el estudio de tu clase.",
+    takesNoPart: "No participas en el estudio de tu clase.",
+    contact: contact => `Preguntas: ${contact}.`,
+    agree: "Participo",
+    decline: "Yo no",
+    stop: "Dejar de participar",
+  },
   projector: {
+    place: "Puesto",
+    time: "Tiempo",
+    seconds: time => seconds(time, 1),
     title: "Proyector",
     pupil: "Alguien de la clase",
     program: "Programa",
@@ -221,7 +234,26 @@ export const classroom: Words["classroom"] = {
       ended: () => "La edición conjunta ha terminado. Los cambios de aquí ya no llegan al alumno.",
       line: (nickname, line) => `${nickname} está en la línea ${line}.`,
     },
+    study: {
+      title: "Estudio",
+      off: "Esta clase no participa en ningún estudio.",
+      contact: "A quién pueden preguntar alumnos y familias (los alumnos lo ven)",
+      begin: "Esta clase participa en un estudio",
+      beginHint: "La página de cada alumno pregunta entonces si participa.",
+      takingPart: n =>
+        n === 0
+          ? "Todavía no participa nadie."
+          : n === 1
+            ? "Participa un alumno."
+            : `Participan ${n} alumnos.`,
+      export: "Exportar para un estudio (ZIP)",
+      exportHint: "En el formato ProgSnap2, sin nombres; solo de quienes participan y solo desde entonces.",
+      end: "Terminar el estudio",
+      ending: "Las respuestas de los alumnos se borran y ya no se puede exportar nada. Exporta primero.",
+      endNow: "Terminar ahora",
+    },
     projector: {
+      showsStandings: title => `El proyector muestra la tabla de «${title}».`,
       title: "Proyector",
       open: "Abrir la página del proyector",
       named: "Con el apodo",
@@ -284,6 +316,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} de ${of}`,
     },
     check: {
+      project: "Mostrar puestos, salas y tiempos con los apodos en el proyector",
       title: "Probar todos en salas",
       lesson: "lo que comprueba su lección",
       unmet: (checks: readonly string[]) => `No superado: ${checks.join("; ")}.`,

@@ -3,7 +3,7 @@
 import type {Words} from "../index.ts"
 import {measuresOf} from "../number_formats.ts"
 
-const {count} = measuresOf("fr")
+const {count, seconds} = measuresOf("fr")
 
 export const classroom: Words["classroom"] = {
   bar: "Classe",
@@ -109,7 +109,20 @@ export const classroom: Words["classroom"] = {
     gone: name => `« ${name} » n'est pas dans ce navigateur ; on ne peut donc pas le modifier ensemble.`,
     close: "Fermer",
   },
+  study: {
+    asked:
+      "Ta classe participe à une étude sur la façon d'apprendre à programmer. Si tu participes aussi, l'équipe de recherche reçoit ce que tu enregistres, exécutes et rends à partir de maintenant, et où tu en es dans les leçons, sans ton nom. Ce n'est pas obligatoire.",
+    takesPart: "Tu participes à l'étude de ta classe.",
+    takesNoPart: "Tu ne participes pas à l'étude de ta classe.",
+    contact: contact => `Questions : ${contact}.`,
+    agree: "Je participe",
+    decline: "Pas moi",
+    stop: "Ne plus participer",
+  },
   projector: {
+    place: "Place",
+    time: "Temps",
+    seconds: time => seconds(time, 1),
     title: "Projecteur",
     pupil: "Un élève",
     program: "Programme",
@@ -227,7 +240,27 @@ export const classroom: Words["classroom"] = {
         "La modification à deux est terminée. Les changements faits ici n'atteignent plus l'élève.",
       line: (nickname, line) => `${nickname} est à la ligne ${line}.`,
     },
+    study: {
+      title: "Étude",
+      off: "Cette classe ne participe à aucune étude.",
+      contact: "À qui élèves et parents peuvent poser des questions (les élèves le voient)",
+      begin: "Cette classe participe à une étude",
+      beginHint: "La page de chaque élève demande alors si l'élève participe.",
+      takingPart: n =>
+        n === 0
+          ? "Personne ne participe encore."
+          : n === 1
+            ? "Un élève participe."
+            : `${n} élèves participent.`,
+      export: "Exporter pour une étude (ZIP)",
+      exportHint:
+        "Au format ProgSnap2, sans noms ; seulement pour ceux qui participent, et seulement depuis qu'ils participent.",
+      end: "Terminer l'étude",
+      ending: "Les réponses des élèves sont effacées, et plus rien ne peut être exporté. Exporte d'abord.",
+      endNow: "Terminer maintenant",
+    },
     projector: {
+      showsStandings: title => `Le projecteur montre le tableau de « ${title} ».`,
       title: "Projecteur",
       open: "Ouvrir la page du projecteur",
       named: "Avec le surnom",
@@ -290,6 +323,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} sur ${of}`,
     },
     check: {
+      project: "Montrer places, salles et temps avec les surnoms au projecteur",
       title: "Tester tous les programmes dans des salles",
       lesson: "ce que vérifie sa leçon",
       unmet: (checks: readonly string[]) => `Non réussi : ${checks.join(" ; ")}.`,

@@ -1,6 +1,9 @@
 /// Class mode in Portuguese: the card to join, the class bar, the teacher's board.
 
 import type {Words} from "../index.ts"
+import {measuresOf} from "../number_formats.ts"
+
+const {seconds} = measuresOf("pt")
 
 export const classroom: Words["classroom"] = {
   bar: "Turma",
@@ -105,7 +108,20 @@ export const classroom: Words["classroom"] = {
     gone: name => `“${name}” não está neste navegador e por isso não pode ser editado em conjunto.`,
     close: "Fechar",
   },
+  study: {
+    asked:
+      "Sua turma participa de um estudo sobre como se aprende a programar. Se você também participar, os pesquisadores recebem o que você salvar, executar e entregar a partir de agora e até onde você chegou nas lições, sem o seu nome. Não é obrigatório.",
+    takesPart: "Você participa do estudo da sua turma.",
+    takesNoPart: "Você não participa do estudo da sua turma.",
+    contact: contact => `Perguntas: ${contact}.`,
+    agree: "Eu participo",
+    decline: "Eu não",
+    stop: "Deixar de participar",
+  },
   projector: {
+    place: "Lugar",
+    time: "Tempo",
+    seconds: time => seconds(time, 1),
     title: "Projetor",
     pupil: "Alguém da turma",
     program: "Programa",
@@ -221,7 +237,22 @@ export const classroom: Words["classroom"] = {
       ended: () => "A edição em conjunto terminou. As mudanças aqui não chegam mais ao aluno.",
       line: (nickname, line) => `${nickname} está na linha ${line}.`,
     },
+    study: {
+      title: "Estudo",
+      off: "Esta turma não participa de nenhum estudo.",
+      contact: "A quem alunos e famílias podem perguntar (os alunos veem)",
+      begin: "Esta turma participa de um estudo",
+      beginHint: "A página de cada aluno pergunta então se ele participa.",
+      takingPart: n =>
+        n === 0 ? "Ninguém participa ainda." : n === 1 ? "Um aluno participa." : `${n} alunos participam.`,
+      export: "Exportar para um estudo (ZIP)",
+      exportHint: "No formato ProgSnap2, sem nomes; só de quem participa, e só desde então.",
+      end: "Encerrar o estudo",
+      ending: "As respostas dos alunos são apagadas, e nada mais pode ser exportado. Exporte antes.",
+      endNow: "Encerrar agora",
+    },
     projector: {
+      showsStandings: title => `O projetor mostra a tabela de “${title}”.`,
       title: "Projetor",
       open: "Abrir a página do projetor",
       named: "Com o apelido",
@@ -283,6 +314,7 @@ export const classroom: Words["classroom"] = {
       steps: (done: number, of: number) => `${done} de ${of}`,
     },
     check: {
+      project: "Mostrar lugares, salas e tempos com os apelidos no projetor",
       title: "Testar todos em salas",
       lesson: "o que a lição verifica",
       unmet: (checks: readonly string[]) => `Não passou: ${checks.join("; ")}.`,

@@ -16,23 +16,26 @@ import msgspec
 from ..store.class_store import ClassStore, Pupil, Version
 from .spreadsheet import spreadsheet
 
-__all__ = ["safe_name", "write_export"]
+__all__ = ["Target", "ZipStream", "safe_name", "write_export"]
 
 _UNSAFE = re.compile(r"[^\w .-]")
 """Characters that some file systems refuse in names, and those that separate folders."""
 
 
-class _Target(Protocol):
+class Target(Protocol):
+    """What an export is written to."""
+
     def write(self, data: bytes, /) -> object: ...
 
 
-class _Stream:
+class ZipStream:
     """A file as ``zipfile`` needs it for writing only; the target is flushed when it is complete."""
 
-    def __init__(self, target: _Target) -> None:
+    def __init__(self, target: Target) -> None:
         self._target = target
 
     def write(self, data: bytes) -> int:
+        """Write all of it."""
         self._target.write(data)
         return len(data)
 
@@ -40,7 +43,7 @@ class _Stream:
         """Nothing to do."""
 
 
-def write_export(store: ClassStore, target: _Target) -> int:
+def write_export(store: ClassStore, target: Target) -> int:
     """
     Write the ZIP file; returns the number of programs in it.
 
@@ -49,7 +52,7 @@ def write_export(store: ClassStore, target: _Target) -> int:
     """
     pupils = store.pupils()
     count = 0
-    with zipfile.ZipFile(cast("IO[bytes]", _Stream(target)), "w", zipfile.ZIP_DEFLATED) as archive:
+    with zipfile.ZipFile(cast("IO[bytes]", ZipStream(target)), "w", zipfile.ZIP_DEFLATED) as archive:
         everything: list[dict[str, object]] = []
         comments = store.comments.comments()
         for pupil in pupils:

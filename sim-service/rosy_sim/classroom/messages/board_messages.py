@@ -79,7 +79,9 @@ __all__ = [
     "Send",
     "Sent",
     "SetAttention",
+    "SetStudy",
     "StoreShown",
+    "StudyShown",
     "Suspended",
     "Unlock",
     "read_board_request",
@@ -217,6 +219,12 @@ class LockDoor(msgspec.Struct, tag="lock-door", tag_field="op"):
     locked: bool
 
 
+class SetStudy(msgspec.Struct, tag="set-study", tag_field="op"):
+    """The class takes part in a study, about which pupils ask ``contact``; ``None`` ends it."""
+
+    contact: Annotated[str, msgspec.Meta(min_length=1, max_length=200)] | None
+
+
 BoardRequest = (
     Unlock
     | AddPupils
@@ -225,6 +233,7 @@ BoardRequest = (
     | RestorePupil
     | MergePupils
     | LockDoor
+    | SetStudy
     | OpenProgram
     | SetAttention
     | LowerHand
@@ -334,6 +343,13 @@ class DoorShown(msgspec.Struct, tag="door", tag_field="op"):
 
     locked: bool
     removed: list[RemovedShown]
+
+
+class StudyShown(msgspec.Struct, tag="study", tag_field="op"):
+    """Whom pupils ask about the study of the class, ``None`` without a study; and how many pupils take part."""
+
+    contact: str | None
+    taking_part: int
 
 
 class RoomShown(msgspec.Struct, tag="room", tag_field="op"):
@@ -450,6 +466,7 @@ BoardAnswer = (
     | PupilsShown
     | PupilsAdded
     | DoorShown
+    | StudyShown
     | RoomShown
     | PlacesShown
     | ProgramShown

@@ -109,7 +109,8 @@ class CheckResult(msgspec.Struct):
     How a hand-in did: in ``passed`` of ``rooms`` rooms it went well, and ``worst`` is the room in which it did worst.
     With a ``fault`` there are no outcomes; ``problems`` are those of a program that does not compile. ``checked`` is in
     s since 1970; the family, the seed and the properties are those of the request. ``unmet`` are the checks of the
-    lesson that did not pass, by language; a check by the lesson has no ``worst``.
+    lesson that did not pass, by language; a check by the lesson has no ``worst`` and no ``time``, which is that of
+    ``standings.mean_time``.
     """
 
     checked: float
@@ -123,6 +124,7 @@ class CheckResult(msgspec.Struct):
     problems: list[Problem] = []
     worst: TestedRoom | None = None
     unmet: list[dict[str, str]] = []
+    time: float | None = None
 
 
 class ResultShown(msgspec.Struct, tag="result", tag_field="op"):

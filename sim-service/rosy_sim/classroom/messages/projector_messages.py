@@ -18,6 +18,8 @@ __all__ = [
     "Projecting",
     "ProjectorAnswer",
     "RoomProjected",
+    "Standing",
+    "Standings",
     "UnlockProjector",
     "read_projector_request",
 ]
@@ -26,12 +28,13 @@ __all__ = [
 class Project(msgspec.Struct, tag="project", tag_field="op"):
     """
     Request of the board: show the room of a pupil on the projectors, ``named`` with the nickname, with ``program``
-    beside it; ``None`` shows nothing.
+    beside it; ``None`` shows nothing, or the standings of ``task`` with nicknames.
     """
 
     pupil: int | None
     named: bool = False
     program: bool = False
+    task: int | None = None
 
 
 class Projecting(msgspec.Struct, tag="projecting", tag_field="op"):
@@ -40,6 +43,7 @@ class Projecting(msgspec.Struct, tag="projecting", tag_field="op"):
     pupil: int | None
     named: bool
     program: bool
+    task: int | None = None
 
 
 class UnlockProjector(msgspec.Struct, tag="unlock", tag_field="op"):
@@ -55,10 +59,28 @@ class Invitation(msgspec.Struct, tag="invitation", tag_field="op"):
     addresses: list[str]
 
 
+class Standing(msgspec.Struct, array_like=True):
+    """A pupil in the standings of a task; ``time`` is that of ``CheckResult``."""
+
+    place: int
+    nickname: str
+    passed: int
+    rooms: int
+    time: float | None
+
+
+class Standings(msgspec.Struct):
+    """The standings of a task, the first place first."""
+
+    title: str
+    rows: list[Standing]
+
+
 class Projected(msgspec.Struct, tag="projected", tag_field="op"):
     """
     Answer to a projector: what it shows now. ``number`` is another one whenever the teacher chooses another pupil.
-    ``nickname`` is ``None`` for a pupil who is not named, ``haskell`` without a program beside the room.
+    ``nickname`` is ``None`` for a pupil who is not named, ``haskell`` without a program beside the room. ``standings``
+    are shown in place of a pupil.
     """
 
     number: int
@@ -67,6 +89,7 @@ class Projected(msgspec.Struct, tag="projected", tag_field="op"):
     online: bool
     running: bool
     haskell: str | None
+    standings: Standings | None = None
 
 
 class RoomProjected(msgspec.Struct, tag="room", tag_field="op"):

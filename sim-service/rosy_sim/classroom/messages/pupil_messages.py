@@ -26,6 +26,7 @@ from .shared_messages import Asked, Cursor, Decline, EndSharing, Over, Push, Sha
 from .shared_messages import Shared as ShareBegun
 
 __all__ = [
+    "AnswerStudy",
     "Attention",
     "ClassNamed",
     "CommentDone",
@@ -43,6 +44,7 @@ __all__ = [
     "OwnComment",
     "OwnComments",
     "OwnHandIn",
+    "OwnStudy",
     "OwnTask",
     "OwnTasks",
     "ProgramName",
@@ -113,11 +115,12 @@ class Read(msgspec.Struct, tag="read", tag_field="op"):
 
 
 class Status(msgspec.Struct, tag="status", tag_field="op"):
-    """What the board shows of the page; ``None`` is no lesson."""
+    """What the board shows of the page; ``None`` is no lesson, and a ``program`` that is not stored."""
 
     errors: bool
     running: bool
     lesson: LessonProgress | None = None
+    program: Identifier | None = None
 
 
 class Hand(msgspec.Struct, tag="hand", tag_field="op"):
@@ -154,6 +157,12 @@ class CommentDone(msgspec.Struct, tag="comment-done", tag_field="op"):
     done: bool
 
 
+class AnswerStudy(msgspec.Struct, tag="answer-study", tag_field="op"):
+    """The pupil takes part in the study of the class, or does not."""
+
+    agrees: bool
+
+
 PupilRequest = (
     Join
     | Resume
@@ -167,6 +176,7 @@ PupilRequest = (
     | HandIn
     | Progress
     | CommentDone
+    | AnswerStudy
     | Share
     | Decline
     | Push
@@ -323,6 +333,16 @@ class OwnComments(msgspec.Struct, tag="comments", tag_field="op"):
     comments: list[OwnComment]
 
 
+class OwnStudy(msgspec.Struct, tag="study", tag_field="op"):
+    """
+    Whom to ask about the study of the class, ``None`` without a study; and whether the pupil takes part, ``None``
+    without an answer.
+    """
+
+    contact: str | None
+    takes_part: bool | None
+
+
 PupilAnswer = (
     ClassNamed
     | Entered
@@ -338,6 +358,7 @@ PupilAnswer = (
     | OwnTasks
     | NotHandedIn
     | OwnComments
+    | OwnStudy
     | Asked
     | ShareBegun
     | Updates

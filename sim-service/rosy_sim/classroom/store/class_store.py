@@ -17,6 +17,7 @@ from .database import Database
 from .progress_store import ProgressStore
 from .roster_store import NicknameTaken, Pupil, PupilRemoved, RosterStore, StoreFull
 from .schema import migrate
+from .study_store import StudyStore
 from .task_store import TaskStore
 
 __all__ = [
@@ -110,6 +111,7 @@ class ClassStore:
         self.tasks = TaskStore(database)
         self.comments = CommentStore(database)
         self.progress = ProgressStore(database)
+        self.study = StudyStore(database)
         try:
             migrate(database)
             with database.transaction():

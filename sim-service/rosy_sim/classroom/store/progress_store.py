@@ -47,8 +47,16 @@ class ProgressStore:
 
     def all(self) -> list[LessonDone]:
         """The progress of all pupils who are in the class, the lesson that was begun first first."""
+        return self._progress(PRESENT)
+
+    def of_pupil(self, pupil: int, begun_since: float) -> list[LessonDone]:
+        """The progress of a pupil in lessons that were begun at this time or later."""
+        return self._progress("pupil = ? AND begun >= ?", pupil, begun_since)
+
+    def _progress(self, condition: str, *arguments: float) -> list[LessonDone]:
         rows = self._database.execute(
-            f"SELECT pupil, lesson, title, steps, done FROM lesson_progress WHERE {PRESENT} ORDER BY pupil, begun"
+            f"SELECT pupil, lesson, title, steps, done FROM lesson_progress WHERE {condition} ORDER BY pupil, begun",
+            arguments,
         )
         return [
             LessonDone(pupil, lesson, title, steps, msgspec.json.decode(done, type=list[str]))

@@ -120,6 +120,19 @@ MIGRATIONS: tuple[tuple[str, ...], ...] = (
         # When it was announced that a removed pupil is deleted (`retention.py`).
         "ALTER TABLE pupil ADD COLUMN announced REAL",
     ),
+    (
+        # Since when the class takes part in a study, NULL while it does not, and whom to ask about it.
+        "ALTER TABLE class ADD COLUMN study_since REAL",
+        "ALTER TABLE class ADD COLUMN study_contact TEXT NOT NULL DEFAULT ''",
+        # Since when the pupil takes part; 0 for one who does not want to, NULL without an answer.
+        "ALTER TABLE pupil ADD COLUMN study_part REAL",
+        # Runs of pupils who take part, with the version that ran.
+        """CREATE TABLE study_run (
+            version INTEGER NOT NULL REFERENCES version (number) ON DELETE CASCADE,
+            at REAL NOT NULL
+        )""",
+        "CREATE INDEX study_run_of_version ON study_run (version)",
+    ),
 )
 
 

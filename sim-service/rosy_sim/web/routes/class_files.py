@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Awaitable, Callable
+from pathlib import Path
+from typing import IO
 
 from starlette.background import BackgroundTask
 from starlette.requests import Request
@@ -11,6 +14,8 @@ from starlette.routing import BaseRoute, Route
 
 from ...classroom.classroom import Classroom
 from ...classroom.store.database import StoreError
+from ...errors import BadInput
+from ...lessons.catalogue import lesson_names
 from ...sentences.sentence import tr
 from .http_failure import failure
 
@@ -21,10 +26,17 @@ _NUMBER = re.compile(r"[0-9]{1,9}")
 
 
 class ClassFiles:
-    """Of a running class."""
+    """
+    Of a running class.
 
-    def __init__(self, classroom: Classroom) -> None:
+    Args:
+        classroom: the class.
+        examples: the folder of the examples, with the lessons.
+    """
+
+    def __init__(self, classroom: Classroom, examples: Path) -> None:
         self._classroom = classroom
+        self._examples = examples
 
     def routes(self) -> list[BaseRoute]:
         """The pages, and the files below ``/api``."""
@@ -33,6 +45,7 @@ class ClassFiles:
             Route("/projector", _projector),
             Route("/api/hand-ins/{task}", self._hand_ins),
             Route("/api/class-backup", self._backup),
+            Route("/api/class-study", self._study),
         ]
 
     async def _hand_ins(self, request: Request) -> Response:
@@ -47,10 +60,23 @@ class ClassFiles:
 
     async def _backup(self, request: Request) -> Response:
         """Everything that the class stores, as a ZIP file."""
+        return await self._zip(request, self._classroom.backup)
+
+    async def _study(self, request: Request) -> Response:
+        """What a study of the class may use, as a ZIP file."""
+
+        async def make() -> IO[bytes]:
+            return await self._classroom.study_export(lesson_names(self._examples / "lessons"))
+
+        return await self._zip(request, make)
+
+    async def _zip(self, request: Request, make: Callable[[], Awaitable[IO[bytes]]]) -> Response:
         if refused := self._refusal(request):
             return refused
         try:
-            file = await self._classroom.backup()
+            file = await make()
+        except BadInput as error:
+            return failure(error.sentence, 409)
         except (StoreError, OSError) as error:
             return failure(tr("The class cannot be read or stored: {why}", why=error), 500)
         return StreamingResponse(

@@ -188,6 +188,9 @@ class ClassSockets:
                     connection.put(refused)
             case b.LockDoor():
                 await self._classroom.roster.lock_door(request.locked)
+            case b.SetStudy():
+                if refused := await self._classroom.set_study(request):
+                    connection.put(refused)
             case b.LowerHand():
                 self._classroom.lower_hand(request.pupil)
             case b.Send():
@@ -239,6 +242,7 @@ class ClassSockets:
         tasks: b.BoardTasks | None = None
         lessons: b.LessonsShown | None = None
         door = b.DoorShown(False, [])
+        study = b.StudyShown(None, 0)
         comments: b.CommentsShown | None = None
         looked: tuple[b.ProgramShown | None, float | None] = (None, None)
         projecting = Projecting(None, False, False)
@@ -263,6 +267,9 @@ class ClassSockets:
                 if (seen := self._classroom.roster.door_shown()) != door:
                     door = seen
                     connection.put(door)
+                if (studied := self._classroom.study_shown()) != study:
+                    study = studied
+                    connection.put(study)
                 if (newest := self._classroom.tasks.shown()) != tasks:
                     tasks = newest
                     connection.put(newest)
