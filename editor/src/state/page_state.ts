@@ -1,6 +1,6 @@
 /// The page's state as one value without a DOM, and its first value.
 
-import type {Confusable} from "@rosy/codegen"
+import type {Confusable, NodePlaces} from "@rosy/codegen"
 import type {OlderEncoding, TextFile} from "@rosy/codegen/text-file"
 import type {BlockComment} from "../program/block_comments.ts"
 import {
@@ -178,6 +178,8 @@ export interface PageState {
     readonly chosen: {readonly kind: string; readonly key: string} | null
     /// The pointer or the keyboard is in it: what functions took and gave last can be read there.
     readonly isPointedAt: boolean
+    /// The nodes that the learner moved.
+    readonly places: NodePlaces
   }
   readonly room: RoomState
   /// The runs in this room.
@@ -294,7 +296,7 @@ export const initialState: PageState = {
   types: {text: "", names: [], at: []},
   network: null,
   topics: [],
-  diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false},
+  diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false, places: {}},
   room: emptyRoom,
   runTree: noRuns,
   robots: noRobots,

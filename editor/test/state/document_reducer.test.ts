@@ -27,6 +27,15 @@ describe("a program that is opened", () => {
     expect(play(initialState, hello, inDialog, first, inDialog, chosen).state.dialog).toBeNull()
   })
 
+  it("brings the places of the diagram's nodes, and moving one is a change to be stored", () => {
+    const places = {go: [10, 20]} as const
+    const {state} = play(open, {...opened(null), opened: {...opened(null).opened, places}})
+    expect([state.diagram.places, state.saved]).toEqual([places, "saved"])
+    const moved = play(state, {kind: "nodes-moved", places: {go: [30, 20]}}).state
+    expect([moved.diagram.places, moved.saved]).toEqual([{go: [30, 20]}, "changed"])
+    expect(play(moved, opened(null)).state.diagram.places).toEqual({})
+  })
+
   it("that is new runs at the usual speed", () => {
     const blank: PageEvent = {
       kind: "opened",

@@ -144,6 +144,9 @@ export const sentences = {
     tellsApart: (name: string, type: string) =>
       `Cases of \`${name}\` depend on \`${type}\`. Remove those cases in the blocks first.`,
     doesNotTake: (name: string, type: string) => `\`${name}\` does not take \`${type}\` on its own.`,
+    doesNotSend: (name: string, type: string) => `\`${name}\` does not send \`${type}\`.`,
+    computesTogether: (name: string, type: string) =>
+      `\`${name}\` computes \`${type}\` together with what else it sends. Write them apart in its blocks first.`,
     usedElsewhere: (name: string) => `Another definition uses \`${name}\`. Change that one first.`,
     unfinished: (names: string) => `Something in the text of \`${names}\` is unfinished. Finish it first.`,
   },

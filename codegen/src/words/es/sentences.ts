@@ -139,6 +139,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Hay casos de \`${name}\` que dependen de \`${type}\`. Quita primero esos casos en los bloques.`,
     doesNotTake: (name, type) => `\`${name}\` no recibe \`${type}\` por separado.`,
+    doesNotSend: (name, type) => `\`${name}\` no envía \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcula \`${type}\` junto con lo demás que envía. Sepáralos primero en los bloques.`,
     usedElsewhere: name => `Otra definición usa \`${name}\`. Cambia primero esa.`,
     unfinished: names => `Algo en el texto de \`${names}\` está sin terminar. Termínalo primero.`,
   },

@@ -140,6 +140,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Des cas de \`${name}\` dépendent de \`${type}\`. Enlève d'abord ces cas dans les blocs.`,
     doesNotTake: (name, type) => `\`${name}\` ne reçoit pas \`${type}\` seul.`,
+    doesNotSend: (name, type) => `\`${name}\` n'envoie pas \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcule \`${type}\` avec le reste de ce qu'il envoie. Sépare-les d'abord dans les blocs.`,
     usedElsewhere: name => `Une autre définition utilise \`${name}\`. Change d'abord celle-là.`,
     unfinished: names => `Le texte de \`${names}\` n'est pas terminé. Termine-le d'abord.`,
   },

@@ -139,6 +139,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Há casos de \`${name}\` que dependem de \`${type}\`. Remova primeiro esses casos nos blocos.`,
     doesNotTake: (name, type) => `\`${name}\` não recebe \`${type}\` sozinho.`,
+    doesNotSend: (name, type) => `\`${name}\` não envia \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcula \`${type}\` junto com o resto que envia. Separe-os primeiro nos blocos.`,
     usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
     unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
   },

@@ -4,7 +4,7 @@
 import type {NetworkAction, WrittenFunction, WrittenShape} from "@rosy/codegen/network-edits"
 import {commands, events, states, viewedEvent} from "@rosy/codegen/roles"
 import type {RefObject, VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useEffect, useRef, useState} from "preact/hooks"
 import {selectedDefinition} from "../../program/program.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {TextEntry} from "../../ui/text_entry.tsx"
@@ -14,6 +14,7 @@ import type {Point} from "../../views/diagram/layout/geometry.ts"
 import {actionOf, type ConnectionEnd, firings, type Joining} from "../../views/diagram/network/connections.ts"
 import type {NodeKind} from "../../views/diagram/network/network.ts"
 import {words} from "../../words/index.ts"
+import {usePlaceInWindow} from "./place_in_window.ts"
 
 /// A question about a connection, at a place of the window.
 export interface Asked {
@@ -122,13 +123,7 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const [why, setWhy] = useState<string | null>(null)
   const form = useRef<HTMLFormElement>(null)
   // All of it is seen, also in a low region.
-  useLayoutEffect(() => {
-    const own = form.current
-    if (own === null) return
-    const {width, height} = own.getBoundingClientRect()
-    own.style.left = `${Math.max(8, Math.min(at.x, window.innerWidth - width - 8))}px`
-    own.style.top = `${Math.max(8, Math.min(at.y, window.innerHeight - height - 8))}px`
-  })
+  usePlaceInWindow(form, at)
   useEffect(() => {
     const field = form.current?.querySelector<HTMLElement>(
       "input[type=text], input[type=radio]:checked, button",
@@ -265,6 +260,11 @@ export function FunctionActions(): VNode | null {
           {cuttable(found).map(type =>
             button(edit.cut(type), () => act({kind: "cut-input", function: found.name, type})),
           )}
+          {sent(found).map((type, _, {length}) =>
+            button(length > 1 ? edit.cutOutput(type) : edit.cutOnlyOutput(type), () =>
+              act({kind: "cut-output", function: found.name, type}),
+            ),
+          )}
           {button(edit.remove, () => act({kind: "delete", function: found.name}))}
         </>
       ) : (
@@ -307,6 +307,18 @@ function cuttable({inputs}: WrittenFunction): readonly string[] {
     if (shape.kind !== "either") return []
     return shape.of.flatMap((one: WrittenShape) => (one.kind === "type" ? [one.written] : []))
   })
+}
+
+/// What a function sends that can be cut off; what it alone sends, as long as it runs.
+function sent({output, runs}: WrittenFunction): readonly string[] {
+  const inside = (shape: WrittenShape): readonly string[] =>
+    shape.kind === "type"
+      ? [shape.written]
+      : shape.kind === "all" || shape.kind === "either"
+        ? shape.of.flatMap(inside)
+        : inside(shape.of)
+  const types = [...new Set(inside(output))]
+  return types.length > 1 || runs ? types : []
 }
 
 /// Functions that the program defines and does not run.
