@@ -258,6 +258,29 @@ describe("an edit is refused with its cause:", () => {
   })
 })
 
+test("an edit declares the type of a memory, as one change", () => {
+  const action = {kind: "add-output", function: "backOff", type: "Memory Mode"} as const
+  const declaring = (name: string, ...values: readonly string[]) =>
+    networkEdit(reader, openView(reader, reflex), action, undefined, {name, values})
+  const outcome = declaring("Mode", "Calm", "Alarmed")
+  expect(outcome.ok && outcome.text).toBe(
+    reflex
+      .replace("Bumper -> Velocity", "Bumper -> (Velocity, Memory Mode)")
+      .replace("= Velocity (-0.2) 0", "= (Velocity (-0.2) 0, _)")
+      .replace("main ::", "data Mode = Calm | Alarmed\n\nmain ::"),
+  )
+  for (const [cause, name, ...values] of [
+    ["not-a-type-name", "mode", "Calm"],
+    ["not-a-type-name", "Mode", "calm"],
+    ["name-taken", "Bumper", "Calm"],
+    ["name-taken", "Mode", "Calm", "Calm"],
+    ["name-taken", "Mode", "Pressed"],
+  ] as const) {
+    const refused = declaring(name, ...values)
+    expect(refused.ok ? refused.text : refused.refusal.kind, [name, ...values].join(" ")).toBe(cause)
+  }
+})
+
 test("an edit of a definition whose text is broken is refused, and names it", () => {
   const whole = "f :: Bumper -> Led1\nf bumper = Led1 Red\n\nmain = simulate f\n"
   const broken = syncText(reader, openView(reader, whole), whole.replace("f bumper =", "f (bumper ="))
@@ -270,6 +293,9 @@ test("an edit of a definition whose text is broken is refused, and names it", ()
 test("the written network tells what runs, what stands beside, and no helpers or tasks", () => {
   const text = `type Hit = Bool
 data Alarm = Alarm
+data Mode = Calm | Alarmed
+data Turn = Turn Double
+data Pair a = Pair a a
 f :: Either Bumper Alarm -> Memory Hit -> (Velocity, Maybe Led1)
 f _ (Memory h) = _
 beside :: Velocity -> Velocity
@@ -289,6 +315,7 @@ main = simulate (f, drive 10)
   })
   expect(writtenNetwork(workspaceOf(openView(reader, text)))).toEqual({
     hasSimulate: true,
+    types: ["Mode", "Turn"],
     functions: [
       {
         name: "f",

@@ -35,6 +35,12 @@ export type NetworkAction =
   | {readonly kind: "join"; readonly function: string}
   | {readonly kind: "leave"; readonly function: string}
 
+/// A type of the program's own that an edit declares for what it connects: its name, and its values.
+export interface DeclaredType {
+  readonly name: string
+  readonly values: readonly string[]
+}
+
 /// Why an edit is not made.
 export type NetworkRefusal =
   /// No definition of the program has this name and is made of equations that blocks can say.

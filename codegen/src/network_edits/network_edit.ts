@@ -32,21 +32,24 @@ import {
   withPatterns,
   withSignature,
 } from "./definition_edits.ts"
-import type {NetworkAction, NetworkEdit} from "./network_action.ts"
+import type {DeclaredType, NetworkAction, NetworkEdit} from "./network_action.ts"
 import {Refused, refuse} from "./refused.ts"
 import {signatureParts, textOf, withAlternative, withArgument, withResultPart} from "./signature_text.ts"
 import {isPlaced, withoutPlaces, withPlace} from "./simulated_places.ts"
 
-/// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same.
+/// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same. `declares` is a type that
+/// the edit needs.
 export function networkEdit(
   reader: Reader,
   view: View,
   action: NetworkAction,
   session = new InferenceSession(),
+  declares?: DeclaredType,
 ): NetworkEdit {
   try {
     const before = workspaceOf(view)
     const change = new NetworkChange(before, session)
+    if (declares !== undefined) change.declare(declares)
     const selects = change.apply(action)
     const after = change.workspace
     const why = newMistake(change.inferred, session.inferWorkspace(after))
@@ -205,18 +208,22 @@ class NetworkChange {
     const {signature, parts} = this.#typed(from)
     const sends = this.#leaves([textOf(signature, parts.result)]).includes(this.#expanded(event))
     if (!sends) {
-      if (!this.#ownTypes().has(event)) this.#declareEvent(event)
+      if (!this.#ownTypes().has(event)) this.declare({name: event, values: [event]})
       const only = this.#ownTypes().get(event)
       this.#addOutput(from, event, only === undefined ? undefined : con(only))
     }
     this.#addInput(to, event, as)
   }
 
-  #declareEvent(name: string): void {
-    if (!isConstructorName(name)) refuse({kind: "not-a-type-name", name})
+  declare({name, values}: DeclaredType): void {
     const {types, constructors} = this.inferred.inference.env
-    if (types.has(name) || constructors.has(name)) refuse({kind: "name-taken", name})
-    this.#add(make("data", {name, parameters: [], constructors: [{name, fields: []}], deriving: []}))
+    for (const one of [name, ...values])
+      if (!isConstructorName(one)) refuse({kind: "not-a-type-name", name: one})
+    if (types.has(name)) refuse({kind: "name-taken", name})
+    const taken = values.find((value, i) => constructors.has(value) || values.indexOf(value) < i)
+    if (taken !== undefined) refuse({kind: "name-taken", name: taken})
+    const declared = values.map(value => ({name: value, fields: []}))
+    this.#add(make("data", {name, parameters: [], constructors: declared, deriving: []}))
   }
 
   #cutInput(name: string, type: string): void {

@@ -129,7 +129,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Es braucht zuerst einen Namen."
-        : `\`${name}\` kann nicht der Name eines Ereignisses sein. Er ist ein Wort, das groß anfängt.`,
+        : `\`${name}\` kann nicht der Name eines Ereignisses, Typs oder Werts sein. Er ist ein Wort, das groß anfängt.`,
     noSimulate: "Das Programm sagt nicht mit `simulate`, was läuft. Deshalb kann dort nichts dazukommen.",
     typeUnknown: name => `Der Typ von \`${name}\` ist noch nicht klar. Schreibe zuerst den Typ auf.`,
     alreadyTakes: (name, type) => `\`${name}\` bekommt schon \`${type}\`.`,

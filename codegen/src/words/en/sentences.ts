@@ -131,7 +131,7 @@ export const sentences = {
     notATypeName: (name: string) =>
       name === ""
         ? "It needs a name first."
-        : `\`${name}\` cannot be the name of an event. It is one word that starts with a capital letter.`,
+        : `\`${name}\` cannot be the name of an event, a type or a value. It is one word that starts with a capital letter.`,
     noSimulate: "The program does not say with `simulate` what it runs, so nothing can be added to that.",
     typeUnknown: (name: string) => `The type of \`${name}\` is not clear yet. Write its type first.`,
     alreadyTakes: (name: string, type: string) => `\`${name}\` takes \`${type}\` already.`,

@@ -126,7 +126,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Primero necesita un nombre."
-        : `\`${name}\` no puede ser el nombre de un evento. Es una palabra que empieza con mayúscula.`,
+        : `\`${name}\` no puede ser el nombre de un evento, un tipo o un valor. Es una palabra que empieza con mayúscula.`,
     noSimulate: "El programa no dice con `simulate` qué ejecuta, así que no se puede añadir nada ahí.",
     typeUnknown: name => `El tipo de \`${name}\` todavía no está claro. Escribe primero su tipo.`,
     alreadyTakes: (name, type) => `\`${name}\` ya recibe \`${type}\`.`,

@@ -127,7 +127,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Il faut d'abord un nom."
-        : `\`${name}\` ne peut pas être le nom d'un événement. C'est un mot qui commence par une majuscule.`,
+        : `\`${name}\` ne peut pas être le nom d'un événement, d'un type ou d'une valeur. C'est un mot qui commence par une majuscule.`,
     noSimulate: "Le programme ne dit pas avec `simulate` ce qu'il exécute ; on ne peut donc rien y ajouter.",
     typeUnknown: name => `Le type de \`${name}\` n'est pas encore clair. Écris d'abord son type.`,
     alreadyTakes: (name, type) => `\`${name}\` reçoit déjà \`${type}\`.`,

@@ -126,7 +126,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Primeiro falta um nome."
-        : `\`${name}\` não pode ser o nome de um evento. É uma palavra que começa com letra maiúscula.`,
+        : `\`${name}\` não pode ser o nome de um evento, um tipo ou um valor. É uma palavra que começa com letra maiúscula.`,
     noSimulate: "O programa não diz com `simulate` o que executa; por isso nada pode ser acrescentado ali.",
     typeUnknown: name => `O tipo de \`${name}\` ainda não está claro. Escreva primeiro o tipo.`,
     alreadyTakes: (name, type) => `\`${name}\` já recebe \`${type}\`.`,

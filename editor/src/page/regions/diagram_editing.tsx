@@ -11,7 +11,14 @@ import {TextEntry} from "../../ui/text_entry.tsx"
 import {openConnectionDrag} from "../../views/diagram/drawing/connection_drag.ts"
 import type {Proposal} from "../../views/diagram/editing.ts"
 import type {Point} from "../../views/diagram/layout/geometry.ts"
-import {actionOf, type ConnectionEnd, firings, type Joining} from "../../views/diagram/network/connections.ts"
+import {
+  actionOf,
+  type ConnectionEnd,
+  firings,
+  type Joining,
+  newMemory,
+  withMemory,
+} from "../../views/diagram/network/connections.ts"
 import type {NodeKind} from "../../views/diagram/network/network.ts"
 import {words} from "../../words/index.ts"
 import {usePlaceInWindow} from "./place_in_window.ts"
@@ -40,10 +47,11 @@ const sensors: readonly ConnectionEnd[] = [
 ]
 const actuators = endsOf("command", [...commands])
 
-/// What a pupil's first programs remember.
-const memories = endsOf("store", ["Memory Bool", "Memory Int", "Memory Double"])
+/// What it remembers is asked when it is connected.
+const memories = endsOf("store", [newMemory])
 
-const nameOf = ({type}: ConnectionEnd) => (type === "()" ? words.diagram.list.tick : type)
+const nameOf = ({type}: ConnectionEnd) =>
+  type === "()" ? words.diagram.list.tick : type === newMemory ? words.diagram.edit.newMemory : type
 
 /// The functions of the program as its text has them, read again when it changes.
 export function useWritten(): readonly WrittenFunction[] {
@@ -120,13 +128,15 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const {proposal, at} = asked
   const [name, setName] = useState(proposal.name)
   const [joining, setJoining] = useState<Joining>(proposal.joinings[0] ?? "all")
+  const [memory, setMemory] = useState(proposal.memories[0] ?? "")
+  const [declared, setDeclared] = useState({name: "", values: ""})
   const [why, setWhy] = useState<string | null>(null)
   const form = useRef<HTMLFormElement>(null)
   // All of it is seen, also in a low region.
   usePlaceInWindow(form, at)
   useEffect(() => {
     const field = form.current?.querySelector<HTMLElement>(
-      "input[type=text], input[type=radio]:checked, button",
+      "input[type=text], select, input[type=radio]:checked, button",
     )
     field?.focus()
     if (field instanceof HTMLInputElement && field.type === "text") field.select()
@@ -135,7 +145,15 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const {connection, asks, joinings} = proposal
   const isEvent = connection.kind === "functions" || (connection.kind === "input" && connection.isEvent)
   const make = () => {
-    const refused = controller.diagram.editing()?.edit(actionOf(connection, name.trim(), joining)) ?? null
+    const isNew = memory === newType
+    const type = isNew ? declared.name.trim() : memory
+    const declares = isNew
+      ? {name: type, values: declared.values.split(/[\s,|]+/).filter(Boolean)}
+      : undefined
+    if (declares?.values.length === 0) return setWhy(edit.valuesMissing)
+    const whole = withMemory(connection, `Memory ${type}`)
+    const action = actionOf(whole, name.trim(), joining)
+    const refused = controller.diagram.editing()?.edit(action, declares) ?? null
     setWhy(refused)
     if (refused === null) close()
   }
@@ -164,6 +182,39 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
           spellcheck={false}
         />
       )}
+      {proposal.memories.length > 0 && (
+        <label class="field">
+          <span>{edit.remembers}</span>
+          <select value={memory} onChange={event => setMemory(event.currentTarget.value)}>
+            {proposal.memories.map(type => (
+              <option key={type} value={type}>
+                {nameOfType(type)}
+              </option>
+            ))}
+            <option value={newType}>{edit.newType}</option>
+          </select>
+        </label>
+      )}
+      {memory === newType && (
+        <>
+          <TextEntry
+            label={edit.nameOfType}
+            value={declared.name}
+            set={typed => setDeclared({...declared, name: typed})}
+            placeholder="Mode"
+            autocomplete="off"
+            spellcheck={false}
+          />
+          <TextEntry
+            label={edit.valuesOfType}
+            value={declared.values}
+            set={typed => setDeclared({...declared, values: typed})}
+            placeholder="Calm Alarmed"
+            autocomplete="off"
+            spellcheck={false}
+          />
+        </>
+      )}
       {joinings.length > 1 &&
         joinings.map(as => (
           <label key={as} class="joining">
@@ -189,6 +240,14 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
       </div>
     </form>
   )
+}
+
+/// The choice of a type that the program does not have yet: no type has this name.
+const newType = "…"
+
+const nameOfType = (type: string): string => {
+  const {plainTypes} = words.diagram.edit
+  return type === "Bool" || type === "Int" || type === "Double" ? `${type}: ${plainTypes[type]}` : type
 }
 
 /// Occurrences of two inputs, in units of the picture, and below them when the function fires.

@@ -32,6 +32,13 @@ export const diagram: typeof english = {
     actuators: "Aktoren",
     actuatorsHint: "Was der Roboter tun kann, und was er sich merken kann",
     memories: "Speicher",
+    newMemory: "Neuer Speicher",
+    remembers: "Was er sich merkt",
+    plainTypes: {Bool: "ja oder nein", Int: "eine ganze Zahl", Double: "eine Zahl"},
+    newType: "Ein neuer Typ …",
+    nameOfType: "Name des Typs",
+    valuesOfType: "Seine Werte",
+    valuesMissing: "Sag, welche Werte der Typ hat, zum Beispiel Calm Alarmed.",
     newFunction: (sensor, actuator) =>
       sensor === null ? `Neue Funktion: ${actuator}` : `Neue Funktion: ${sensor} → ${actuator}`,
     takes: (name, type) => `${name} bekommt ${type}`,

@@ -30,6 +30,13 @@ export const diagram = {
     actuators: "Actuators",
     actuatorsHint: "What the robot can do, and what it can remember",
     memories: "Memories",
+    newMemory: "New memory",
+    remembers: "What it remembers",
+    plainTypes: {Bool: "yes or no", Int: "a whole number", Double: "a number"},
+    newType: "A new type…",
+    nameOfType: "Name of the type",
+    valuesOfType: "Its values",
+    valuesMissing: "Say what values the type has, for example Calm Alarmed.",
     newFunction: (sensor: string | null, actuator: string) =>
       sensor === null ? `New function: ${actuator}` : `New function: ${sensor} → ${actuator}`,
     takes: (name: string, type: string) => `${name} takes ${type}`,

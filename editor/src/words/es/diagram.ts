@@ -36,6 +36,13 @@ export const diagram: Words["diagram"] = {
     actuators: "Actuadores",
     actuatorsHint: "Lo que el robot puede hacer y lo que puede recordar",
     memories: "Memorias",
+    newMemory: "Nueva memoria",
+    remembers: "Qué recuerda",
+    plainTypes: {Bool: "sí o no", Int: "un número entero", Double: "un número"},
+    newType: "Un tipo nuevo…",
+    nameOfType: "Nombre del tipo",
+    valuesOfType: "Sus valores",
+    valuesMissing: "Di qué valores tiene el tipo, por ejemplo Calm Alarmed.",
     newFunction: (sensor, actuator) =>
       sensor === null ? `Función nueva: ${actuator}` : `Función nueva: ${sensor} → ${actuator}`,
     takes: (name, type) => `${name} recibe ${type}`,

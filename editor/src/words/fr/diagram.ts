@@ -32,6 +32,13 @@ export const diagram: typeof english = {
     actuators: "Actionneurs",
     actuatorsHint: "Ce que le robot peut faire, et ce qu'il peut retenir",
     memories: "Mémoires",
+    newMemory: "Nouvelle mémoire",
+    remembers: "Ce qu'elle retient",
+    plainTypes: {Bool: "oui ou non", Int: "un nombre entier", Double: "un nombre"},
+    newType: "Un nouveau type…",
+    nameOfType: "Nom du type",
+    valuesOfType: "Ses valeurs",
+    valuesMissing: "Dis quelles valeurs a le type, par exemple Calm Alarmed.",
     newFunction: (sensor, actuator) =>
       sensor === null ? `Nouvelle fonction : ${actuator}` : `Nouvelle fonction : ${sensor} → ${actuator}`,
     takes: (name, type) => `${name} reçoit ${type}`,

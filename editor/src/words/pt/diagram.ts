@@ -32,6 +32,13 @@ export const diagram: typeof english = {
     actuators: "Atuadores",
     actuatorsHint: "O que o robô pode fazer e o que ele pode lembrar",
     memories: "Memórias",
+    newMemory: "Nova memória",
+    remembers: "O que ela guarda",
+    plainTypes: {Bool: "sim ou não", Int: "um número inteiro", Double: "um número"},
+    newType: "Um novo tipo…",
+    nameOfType: "Nome do tipo",
+    valuesOfType: "Seus valores",
+    valuesMissing: "Diga que valores o tipo tem, por exemplo Calm Alarmed.",
     newFunction: (sensor, actuator) =>
       sensor === null ? `Nova função: ${actuator}` : `Nova função: ${sensor} → ${actuator}`,
     takes: (name, type) => `${name} recebe ${type}`,
