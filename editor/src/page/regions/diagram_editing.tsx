@@ -301,8 +301,9 @@ export function FunctionActions(): VNode | null {
     setAsks(what)
     setName(what === "rename" ? found.name : `${found.name}2`)
   }
-  const button = (label: string, press: () => void) => (
-    <button key={label} type="button" class="plain small" onClick={press}>
+  const outputs = sent(found)
+  const button = (label: string, press: () => void, title?: string) => (
+    <button key={label} type="button" class="plain small" title={title} onClick={press}>
       {label}
     </button>
   )
@@ -313,17 +314,18 @@ export function FunctionActions(): VNode | null {
         <>
           {button(edit.rename, () => open("rename"))}
           {button(edit.duplicate, () => open("duplicate"))}
-          {button(found.runs ? edit.leave : edit.join, () =>
-            act({kind: found.runs ? "leave" : "join", function: found.name}),
+          {button(
+            found.runs ? edit.leave : edit.join,
+            () => act({kind: found.runs ? "leave" : "join", function: found.name}),
+            found.runs && outputs.length === 1 ? edit.cutOnlyOutput(outputs[0] ?? "") : undefined,
           )}
           {cuttable(found).map(type =>
             button(edit.cut(type), () => act({kind: "cut-input", function: found.name, type})),
           )}
-          {sent(found).map((type, _, {length}) =>
-            button(length > 1 ? edit.cutOutput(type) : edit.cutOnlyOutput(type), () =>
-              act({kind: "cut-output", function: found.name, type}),
-            ),
-          )}
+          {outputs.length > 1 &&
+            outputs.map(type =>
+              button(edit.cutOutput(type), () => act({kind: "cut-output", function: found.name, type})),
+            )}
           {button(edit.remove, () => act({kind: "delete", function: found.name}))}
         </>
       ) : (
@@ -368,16 +370,15 @@ function cuttable({inputs}: WrittenFunction): readonly string[] {
   })
 }
 
-/// What a function sends that can be cut off; what it alone sends, as long as it runs.
-function sent({output, runs}: WrittenFunction): readonly string[] {
+/// What a function sends. Of several each can be cut off; without its only output it would not run.
+function sent({output}: WrittenFunction): readonly string[] {
   const inside = (shape: WrittenShape): readonly string[] =>
     shape.kind === "type"
       ? [shape.written]
       : shape.kind === "all" || shape.kind === "either"
         ? shape.of.flatMap(inside)
         : inside(shape.of)
-  const types = [...new Set(inside(output))]
-  return types.length > 1 || runs ? types : []
+  return [...new Set(inside(output))]
 }
 
 /// Functions that the program defines and does not run.
