@@ -168,8 +168,12 @@ export type ViewEvent =
   | {readonly kind: "arranged"; readonly arrangement: Arrangement}
   | {readonly kind: "arranging"; readonly arranging: PageState["arranging"]}
   | {readonly kind: "layout"; readonly layout: Layout}
-  /// A new diagram was drawn, or could not be.
-  | {readonly kind: "diagram"; readonly outcome: PageState["diagram"]["outcome"]}
+  /// A new diagram was drawn with these nodes, or could not be. The chosen node stays chosen if it is among them.
+  | {
+      readonly kind: "diagram"
+      readonly outcome: PageState["diagram"]["outcome"]
+      readonly nodes?: readonly {readonly kind: string; readonly key: string}[]
+    }
   /// The learner chose a node of the diagram.
   | {readonly kind: "node-chosen"; readonly node: PageState["diagram"]["chosen"]}
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}

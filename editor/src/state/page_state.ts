@@ -171,7 +171,7 @@ export interface PageState {
   readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
   /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
   readonly topics: readonly OwnTopic[]
-  /// What the diagram region shows, how many drawings there have been, and the node that was chosen last in the newest one.
+  /// What the diagram region shows, how many drawings there have been, and the node of the newest one that was chosen last.
   readonly diagram: {
     readonly outcome: "waiting" | "drawn" | "empty" | "failed"
     readonly drawings: number

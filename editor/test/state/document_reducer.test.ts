@@ -52,6 +52,19 @@ describe("a program that is opened", () => {
   })
 })
 
+it("the chosen node of the diagram stays chosen in a new drawing that has it", () => {
+  const node = {kind: "command", key: "Velocity"}
+  const drawn = (...nodes: readonly (typeof node)[]): PageEvent => ({
+    kind: "diagram",
+    outcome: "drawn",
+    nodes,
+  })
+  const chosen = play(open, {kind: "node-chosen", node}).state
+  expect(play(chosen, drawn({kind: "event", key: "Bumper"}, {...node})).state.diagram.chosen).toEqual(node)
+  expect(play(chosen, drawn({kind: "state", key: "Velocity"})).state.diagram.chosen).toBeNull()
+  expect(play(chosen, {kind: "diagram", outcome: "failed"}).state.diagram.chosen).toBeNull()
+})
+
 describe("undo", () => {
   it("brings back the program before, asks the compiler about it, and redo the one after", () => {
     const other = {...document, program: {...program, text: "main = simulate ()\n"}}

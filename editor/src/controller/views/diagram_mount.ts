@@ -125,7 +125,7 @@ async function loadDiagram(
     moved: places => store.dispatch({kind: "nodes-moved", places}),
     lastOf: node => lastOf(store.now.room, node, words.why, measures),
     typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
-    drawn: outcome => store.dispatch({kind: "diagram", outcome}),
+    drawn: (outcome, nodes) => store.dispatch({kind: "diagram", outcome, nodes}),
   })
   return {view, editing, pendingParts}
 }

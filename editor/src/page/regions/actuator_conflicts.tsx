@@ -10,20 +10,13 @@ import {ProblemCard} from "../panels/problem_card.tsx"
 import {usePlaceInWindow} from "./place_in_window.ts"
 
 export function ActuatorConflicts({stage}: {stage: RefObject<HTMLElement>}): VNode | null {
-  const now = usePageState(s => s.diagram.chosen)
+  const chosen = usePageState(s => s.diagram.chosen)
   const document = usePageState(s => s.document)
   const findings = usePageState(s => s.findings)
-  const [closed, setClosed] = useState<typeof now>(null)
-  // In a new drawing no node is chosen: an answer of the compiler must not close what is being read.
-  const last = useRef(now)
-  if (now !== null) last.current = now
-  const chosen = last.current
+  const [closed, setClosed] = useState<typeof chosen>(null)
   if (chosen === null || chosen === closed || chosen.kind !== "command") return null
   const conflicts = conflictsOf({document, findings}).filter(f => f.conflict?.command === chosen.key)
-  if (conflicts.length === 0) {
-    last.current = null
-    return null
-  }
+  if (conflicts.length === 0) return null
   return (
     <Conflicts key={chosen.key} stage={stage} command={chosen.key} close={() => setClosed(chosen)}>
       {conflicts.map(finding => (
@@ -53,7 +46,11 @@ function Conflicts({stage, command, close, children}: ConflictsProps): VNode {
           null)
   }
   usePlaceInWindow(panel, besideOf(opener.current))
-  useEffect(() => panel.current?.querySelector<HTMLElement>("button.fix")?.focus(), [])
+  useEffect(() => {
+    panel.current?.querySelector<HTMLElement>("button.fix")?.focus()
+    // A conflict that comes later does not open by itself.
+    return close
+  }, [])
   const leave = () => {
     close()
     const back = opener.current

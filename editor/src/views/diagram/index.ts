@@ -29,7 +29,7 @@ export interface DiagramOptions {
   /// The learner moved a node: all places that nodes have been moved to.
   moved(places: NodePlaces): void
   /// A new drawing is there, or none could be made.
-  drawn(outcome: "drawn" | "empty" | "failed"): void
+  drawn(outcome: "drawn" | "empty" | "failed", nodes: readonly DiagramNode[]): void
 }
 
 export interface DiagramView {
@@ -100,9 +100,9 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
       network = shown
       layout = placed
       drawing.show(network, placed)
-      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn")
+      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn", whole.nodes)
     } catch {
-      if (mine === asked) options.drawn("failed")
+      if (mine === asked) options.drawn("failed", [])
     }
   }
 
