@@ -151,9 +151,19 @@ export interface PrintedProgram {
 export interface Project {
   readonly name: string
   readonly haskell: string
-  readonly layout: {readonly declarations: readonly LaidOut[]; readonly loose: readonly SavedBlock[]}
+  readonly layout: {
+    readonly declarations: readonly LaidOut[]
+    readonly loose: readonly SavedBlock[]
+    /// Where nodes of the diagram were moved to; absent where none was.
+    readonly diagram?: NodePlaces
+  }
   readonly world: string | {readonly [key: string]: unknown}
   readonly settings: {readonly [key: string]: unknown}
+}
+
+/// By the node's id: x to the right and y down in the node's scope, px.
+export interface NodePlaces {
+  readonly [node: string]: readonly [number, number]
 }
 
 export interface LaidOut {

@@ -9,6 +9,7 @@ export type {
   InScope,
   LaidOut,
   Level,
+  NodePlaces,
   OverriddenReaction,
   PrintedProgram,
   Project,

@@ -46,6 +46,15 @@ react (Right cliff) (Memory seen) = Just ErrorSound
 main = simulate react
 `
 
+const twoOutputs = `react :: Bumper -> Memory Int -> Maybe (Velocity, Led1, Memory Int) -- all of it
+react (Bumper _ Pressed) (Memory n)
+  | n > 3 = Nothing
+  | otherwise = Just (Velocity (-0.2) 0, Led1 Red, Memory (n + 1))
+react _ (Memory n) = if n > 2 then Nothing else Just (Velocity 0 0, Led1 Green, Memory n) -- stop
+
+main = simulate react
+`
+
 describe("an edit writes what a person would write", () => {
   test.each<[string, string, readonly NetworkAction[], string]>([
     [
@@ -120,6 +129,33 @@ describe("an edit writes what a person would write", () => {
         .replace("(Left bumper)", "bumper"),
     ],
     [
+      "an output cut off, in every answer",
+      twoOutputs,
+      [{kind: "cut-output", function: "react", type: "Led1"}],
+      twoOutputs
+        .replace("Maybe (Velocity, Led1, Memory Int)", "Maybe (Velocity, Memory Int)")
+        .replace("(Velocity (-0.2) 0, Led1 Red, Memory (n + 1))", "(Velocity (-0.2) 0, Memory (n + 1))")
+        .replace("(Velocity 0 0, Led1 Green, Memory n)", "(Velocity 0 0, Memory n)"),
+    ],
+    [
+      "all outputs but the first cut off",
+      twoOutputs,
+      [
+        {kind: "cut-output", function: "react", type: "Velocity"},
+        {kind: "cut-output", function: "react", type: "Led1"},
+      ],
+      twoOutputs
+        .replace("Maybe (Velocity, Led1, Memory Int)", "Maybe (Memory Int)")
+        .replace("(Velocity (-0.2) 0, Led1 Red, Memory (n + 1))", "(Memory (n + 1))")
+        .replace("(Velocity 0 0, Led1 Green, Memory n)", "(Memory n)"),
+    ],
+    [
+      "the only output cut off: the function stands beside",
+      reflex.replace("simulate backOff", "simulate (backOff, shine)"),
+      [{kind: "cut-output", function: "backOff", type: "Velocity"}],
+      reflex.replace("simulate backOff", "simulate shine"),
+    ],
+    [
       "a function renamed wherever it is named",
       reflex,
       [{kind: "rename", function: "backOff", name: "flee"}],
@@ -164,6 +200,12 @@ describe("an edit is refused with its cause:", () => {
     [reflex, {kind: "leave", function: "absent"}, "does-not-run"],
     [reflex, {kind: "delete", function: "absent"}, "no-such-function"],
     [reflex, {kind: "cut-input", function: "backOff", type: "Cliff"}, "does-not-take"],
+    [reflex, {kind: "cut-output", function: "backOff", type: "Led1"}, "does-not-send"],
+    [
+      "f :: Bumper -> (Velocity, Led1)\nf _ = both\n\nboth :: (Velocity, Led1)\nboth = (Velocity 0 0, Led1 Red)\n\nmain = simulate f\n",
+      {kind: "cut-output", function: "f", type: "Led1"},
+      "computes-together",
+    ],
     [
       "f :: Bumper -> Led1\nf (Bumper _ Pressed) = Led1 Red\nf (Bumper _ Released) = Led1 Green\n\nmain = simulate f\n",
       {kind: "cut-input", function: "f", type: "Bumper"},
@@ -216,6 +258,29 @@ describe("an edit is refused with its cause:", () => {
   })
 })
 
+test("an edit declares the type of a memory, as one change", () => {
+  const action = {kind: "add-output", function: "backOff", type: "Memory Mode"} as const
+  const declaring = (name: string, ...values: readonly string[]) =>
+    networkEdit(reader, openView(reader, reflex), action, undefined, {name, values})
+  const outcome = declaring("Mode", "Calm", "Alarmed")
+  expect(outcome.ok && outcome.text).toBe(
+    reflex
+      .replace("Bumper -> Velocity", "Bumper -> (Velocity, Memory Mode)")
+      .replace("= Velocity (-0.2) 0", "= (Velocity (-0.2) 0, _)")
+      .replace("main ::", "data Mode = Calm | Alarmed\n\nmain ::"),
+  )
+  for (const [cause, name, ...values] of [
+    ["not-a-type-name", "mode", "Calm"],
+    ["not-a-type-name", "Mode", "calm"],
+    ["name-taken", "Bumper", "Calm"],
+    ["name-taken", "Mode", "Calm", "Calm"],
+    ["name-taken", "Mode", "Pressed"],
+  ] as const) {
+    const refused = declaring(name, ...values)
+    expect(refused.ok ? refused.text : refused.refusal.kind, [name, ...values].join(" ")).toBe(cause)
+  }
+})
+
 test("an edit of a definition whose text is broken is refused, and names it", () => {
   const whole = "f :: Bumper -> Led1\nf bumper = Led1 Red\n\nmain = simulate f\n"
   const broken = syncText(reader, openView(reader, whole), whole.replace("f bumper =", "f (bumper ="))
@@ -228,6 +293,9 @@ test("an edit of a definition whose text is broken is refused, and names it", ()
 test("the written network tells what runs, what stands beside, and no helpers or tasks", () => {
   const text = `type Hit = Bool
 data Alarm = Alarm
+data Mode = Calm | Alarmed
+data Turn = Turn Double
+data Pair a = Pair a a
 f :: Either Bumper Alarm -> Memory Hit -> (Velocity, Maybe Led1)
 f _ (Memory h) = _
 beside :: Velocity -> Velocity
@@ -247,6 +315,7 @@ main = simulate (f, drive 10)
   })
   expect(writtenNetwork(workspaceOf(openView(reader, text)))).toEqual({
     hasSimulate: true,
+    types: ["Mode", "Turn"],
     functions: [
       {
         name: "f",
@@ -290,6 +359,10 @@ function drawn(text: string, dice: Dice): [NetworkAction, readonly string[]] {
     [{kind: "add-output", function: fn, type: pick(["Velocity", "Led2", "Memory Int"])}, [fn]],
     [{kind: "connect-functions", from: fn, to: other, event: "Signal", as}, [fn, other, "Signal"]],
     [{kind: "cut-input", function: fn, type}, [fn]],
+    [
+      {kind: "cut-output", function: fn, type: pick(["Velocity", "Led1", "Memory Int", "Sound"])},
+      [fn, "main"],
+    ],
     [{kind: "delete", function: fn}, [fn, "main"]],
     [{kind: "duplicate", function: fn, name}, [name]],
     [{kind: pick(["join", "leave"] as const), function: fn}, ["main"]],

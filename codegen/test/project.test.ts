@@ -17,6 +17,14 @@ describe("a project file", () => {
     const outcome = parseProject(changed({settings: {later: [1]}}))
     expect(outcome.ok && outcome.project.settings).toEqual({later: [1]})
   })
+  test("keeps the places of the diagram's nodes, and ignores what is no place", () => {
+    const diagram = {go: [10, 20], stop: [-1, 2], turn: "left", back: [1, 2, 3]}
+    const layout = {...JSON.parse(whole).layout, diagram}
+    const outcome = parseProject(changed({layout}))
+    expect(outcome.ok && outcome.notice).toBeUndefined()
+    expect(outcome.ok && outcome.project.layout.diagram).toEqual({go: [10, 20]})
+    expect(outcome.ok && JSON.parse(saveProject(outcome.project)).layout.diagram).toEqual({go: [10, 20]})
+  })
   test.each([
     [
       "a truncated file",

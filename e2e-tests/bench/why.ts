@@ -1,5 +1,5 @@
 /// How smoothly a page shows a program think: a diagram of 60 nodes while 20 functions fire 50 times a second, in a real browser on the real service;
-/// the bytes a second with values in the program and without; and how soon a click on "Why?" highlights the path of its answer.
+/// how soon a drag in it is answered; the bytes a second with values in the program and without; and how soon a click on "Why?" highlights the path of its answer.
 ///
 /// Prints the time between two pictures and the page's own work for one, beside the same page without the diagram; a picture every 16.7 ms leaves
 /// the work as many milliseconds. Nothing is asserted: machines differ.
@@ -144,6 +144,42 @@ function closed(page: Page): Promise<void> {
   )
 }
 
+/// Milliseconds from each move of a pointer that drags from one node to others, one after the other, to the picture that answers it: the node that
+/// follows, or the line and what the connection would be.
+function dragged(page: Page): Promise<number[]> {
+  return page.evaluate(async moves => {
+    const nodes = [...document.querySelectorAll<SVGGElement>("svg.diagram .node.function")]
+    const middle = (node: Element) => {
+      const {left, top, width, height} = node.getBoundingClientRect()
+      return {clientX: left + width / 2, clientY: top + height / 2}
+    }
+    const seen = nodes.filter(node => {
+      const {clientX, clientY} = middle(node)
+      return document.elementFromPoint(clientX, clientY)?.closest(".node") === node
+    })
+    const [first, ...others] = seen
+    if (first === undefined || others.length === 0) throw new Error("expected two functions to be seen")
+    const send = (to: EventTarget, type: string, at: {clientX: number; clientY: number}) =>
+      to.dispatchEvent(
+        new PointerEvent(type, {...at, bubbles: true, isPrimary: true, pointerId: 1, button: 0}),
+      )
+    const capture = Element.prototype.setPointerCapture
+    // No pointer of the hardware has this number.
+    Element.prototype.setPointerCapture = () => {}
+    send(first, "pointerdown", middle(first))
+    const times: number[] = []
+    for (let i = 0; i < moves; i++) {
+      const began = performance.now()
+      send(window, "pointermove", middle(others[i % others.length] as Element))
+      await new Promise<void>(done => requestAnimationFrame(() => setTimeout(done)))
+      times.push(performance.now() - began)
+    }
+    window.dispatchEvent(new KeyboardEvent("keydown", {key: "Escape"}))
+    Element.prototype.setPointerCapture = capture
+    return times
+  }, QUESTIONS)
+}
+
 await withPage(async (browser, address) => {
   const page = await openPage(browser, {viewport: {width: 1900, height: 1100}})
   await page.addInitScript(watch)
@@ -168,6 +204,10 @@ await withPage(async (browser, address) => {
     `  ${await nodes.count()} nodes, of which ${await page.locator("svg.diagram .node.function").count()} functions`,
   )
   await measure(page, devtools, "with the diagram")
+  row("from a move of the pointer to the connection that it would be", await dragged(page))
+  await page.getByRole("button", {name: "Move", exact: true}).click()
+  row("from a move of the pointer to the node there", await dragged(page))
+  await page.getByRole("button", {name: "Move", exact: true}).click()
   await setValues(true)
   await measure(page, devtools, "with the diagram, and values in the program")
   await page.getByRole("button", {name: "Pause", exact: true}).click()

@@ -86,13 +86,17 @@ export function withEquations(define: SavedBlock, keeps: (equation: number) => b
   }
 }
 
-/// The definition with each answer changed.
+/// The definition with each answer changed; undefined leaves a place for it.
 export function withAnswers(
   define: SavedBlock,
-  change: (answer: SavedBlock | undefined) => SavedBlock,
+  change: (answer: SavedBlock | undefined) => SavedBlock | undefined,
 ): SavedBlock {
   const inputs: {[name: string]: SavedInput} = {...(define.inputs as Inputs)}
-  for (const name of answersOf(define)) inputs[name] = {block: change(inputs[name]?.block)}
+  for (const name of answersOf(define)) {
+    const now = change(inputs[name]?.block)
+    if (now === undefined) delete inputs[name]
+    else inputs[name] = {block: now}
+  }
   return {...define, inputs}
 }
 

@@ -26,12 +26,20 @@ export type NetworkAction =
       readonly as: "all" | "either"
     }
   | {readonly kind: "cut-input"; readonly function: string; readonly type: string}
+  /// A function that sends nothing else is no longer run; its definition stays.
+  | {readonly kind: "cut-output"; readonly function: string; readonly type: string}
   | {readonly kind: "delete"; readonly function: string}
   | {readonly kind: "rename"; readonly function: string; readonly name: string}
   | {readonly kind: "duplicate"; readonly function: string; readonly name: string}
   /// `simulate` runs the function, or no longer runs it.
   | {readonly kind: "join"; readonly function: string}
   | {readonly kind: "leave"; readonly function: string}
+
+/// A type of the program's own that an edit declares for what it connects: its name, and its values.
+export interface DeclaredType {
+  readonly name: string
+  readonly values: readonly string[]
+}
 
 /// Why an edit is not made.
 export type NetworkRefusal =
@@ -53,6 +61,9 @@ export type NetworkRefusal =
   /// Equations of the function tell values of this input apart.
   | {readonly kind: "tells-apart"; readonly function: string; readonly type: string}
   | {readonly kind: "does-not-take"; readonly function: string; readonly type: string}
+  | {readonly kind: "does-not-send"; readonly function: string; readonly type: string}
+  /// The function does not write this output for itself: it computes it with others, or chooses between them.
+  | {readonly kind: "computes-together"; readonly function: string; readonly type: string}
   /// Other definitions use the function.
   | {readonly kind: "used-elsewhere"; readonly function: string}
   /// The program would have a mistake that it does not have; `why` is a sentence in the learner's language.

@@ -19,43 +19,37 @@ import {isRefusal} from "../workspace/moves/refusal_messages.ts"
 import {rename} from "../workspace/renaming/renaming.ts"
 import {mapExtras} from "../workspace/renaming/renaming_changes.ts"
 import {con, make, reaction, ref} from "../workspace/toolbox/block_builders.ts"
+import {type TypedDefinition, type TypeMeanings, withoutInput, withoutOutput} from "./cuts.ts"
 import {
   arityOf,
   mostArguments,
   namesUsed,
   type OwnTypes,
-  patternAt,
   patternFor,
   patternsOf,
   withAnswers,
   withEquation,
-  withEquations,
   withPatterns,
   withSignature,
 } from "./definition_edits.ts"
-import type {NetworkAction, NetworkEdit, NetworkRefusal} from "./network_action.ts"
-import {
-  type SignatureParts,
-  signatureParts,
-  textOf,
-  withAlternative,
-  withArgument,
-  withoutArgument,
-  withReplaced,
-  withResultPart,
-} from "./signature_text.ts"
+import type {DeclaredType, NetworkAction, NetworkEdit} from "./network_action.ts"
+import {Refused, refuse} from "./refused.ts"
+import {signatureParts, textOf, withAlternative, withArgument, withResultPart} from "./signature_text.ts"
 import {isPlaced, withoutPlaces, withPlace} from "./simulated_places.ts"
 
-/// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same.
+/// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same. `declares` is a type that
+/// the edit needs.
 export function networkEdit(
   reader: Reader,
   view: View,
   action: NetworkAction,
   session = new InferenceSession(),
+  declares?: DeclaredType,
 ): NetworkEdit {
   try {
     const before = workspaceOf(view)
     const change = new NetworkChange(before, session)
+    if (declares !== undefined) change.declare(declares)
     const selects = change.apply(action)
     const after = change.workspace
     const why = newMistake(change.inferred, session.inferWorkspace(after))
@@ -70,20 +64,6 @@ export function networkEdit(
   }
 }
 
-/// Ends an edit that is refused.
-class Refused extends Error {
-  readonly refusal: NetworkRefusal
-
-  constructor(refusal: NetworkRefusal) {
-    super(refusal.kind)
-    this.refusal = refusal
-  }
-}
-
-const refuse = (refusal: NetworkRefusal): never => {
-  throw new Refused(refusal)
-}
-
 /// A mistake that inference finds after an edit and did not find before it.
 function newMistake(before: InferredWorkspace, inferred: InferredWorkspace): string | undefined {
   const mistakes = ({inference}: InferredWorkspace) => inference.problems.filter(isRefusal).length
@@ -91,13 +71,6 @@ function newMistake(before: InferredWorkspace, inferred: InferredWorkspace): str
   const known = new Set(problemsOf(before).map(problem => problem.message))
   const all = problemsOf(inferred).filter(({kind, severity}) => severity === "error" && kind !== "hole")
   return (all.find(problem => !known.has(problem.message)) ?? all[0])?.message ?? ""
-}
-
-/// A function whose type is known.
-interface TypedDefinition {
-  readonly block: SavedBlock
-  readonly signature: string
-  readonly parts: SignatureParts
 }
 
 class NetworkChange {
@@ -130,6 +103,9 @@ class NetworkChange {
       case "cut-input":
         this.#cutInput(action.function, action.type)
         return action.function
+      case "cut-output":
+        this.#cutOutput(action.function, action.type)
+        return action.function
       case "delete":
         this.#delete(action.function)
         return undefined
@@ -144,8 +120,7 @@ class NetworkChange {
         this.#join(this.#definition(action.function))
         return action.function
       default:
-        if (!this.#runs(action.function)) refuse({kind: "does-not-run", function: action.function})
-        this.#change(this.#main(), main => withoutPlaces(main, action.function))
+        this.#leave(action.function)
         return action.function
     }
   }
@@ -233,57 +208,34 @@ class NetworkChange {
     const {signature, parts} = this.#typed(from)
     const sends = this.#leaves([textOf(signature, parts.result)]).includes(this.#expanded(event))
     if (!sends) {
-      if (!this.#ownTypes().has(event)) this.#declareEvent(event)
+      if (!this.#ownTypes().has(event)) this.declare({name: event, values: [event]})
       const only = this.#ownTypes().get(event)
       this.#addOutput(from, event, only === undefined ? undefined : con(only))
     }
     this.#addInput(to, event, as)
   }
 
-  #declareEvent(name: string): void {
-    if (!isConstructorName(name)) refuse({kind: "not-a-type-name", name})
+  declare({name, values}: DeclaredType): void {
     const {types, constructors} = this.inferred.inference.env
-    if (types.has(name) || constructors.has(name)) refuse({kind: "name-taken", name})
-    this.#add(make("data", {name, parameters: [], constructors: [{name, fields: []}], deriving: []}))
+    for (const one of [name, ...values])
+      if (!isConstructorName(one)) refuse({kind: "not-a-type-name", name: one})
+    if (types.has(name)) refuse({kind: "name-taken", name})
+    const taken = values.find((value, i) => constructors.has(value) || values.indexOf(value) < i)
+    if (taken !== undefined) refuse({kind: "name-taken", name: taken})
+    const declared = values.map(value => ({name: value, fields: []}))
+    this.#add(make("data", {name, parameters: [], constructors: declared, deriving: []}))
   }
 
   #cutInput(name: string, type: string): void {
-    const {block, signature, parts} = this.#typed(name)
-    const wanted = this.#expanded(type)
-    const at = parts.arguments.findIndex(range => this.#expanded(textOf(signature, range)) === wanted)
-    if (at >= 0) {
-      if (arityOf(block) <= at) refuse({kind: "type-unknown", function: name})
-      const several = (block.extraState?.equations as readonly unknown[] | undefined)?.length ?? 1
-      const patterns = Array.from({length: several}, (_, i) => patternAt(block, i, at))
-      if (several > 1 && !patterns.every(takesAll)) refuse({kind: "tells-apart", function: name, type})
-      const changed = withPatterns(block, i => patternsOf(block, i).filter((_, j) => j !== at))
-      this.#change(block, () => withSignature(changed, withoutArgument(signature, parts, at)))
-      return
-    }
-    for (const [j, range] of parts.arguments.entries()) {
-      const sides = sidesOf(textOf(signature, range))
-      const cut = sides?.findIndex(one => this.#expanded(one) === wanted) ?? -1
-      if (sides === undefined || cut < 0) continue
-      const [gone, kept] = cut === 0 ? ["Left", "Right"] : ["Right", "Left"]
-      const conOf = (i: number) => {
-        const pattern = patternAt(block, i, j)
-        return pattern?.type === "pattern_construct" ? pattern.extraState?.con : undefined
-      }
-      const equations = patternsInEquations(block)
-      if (
-        !equations.every(i => conOf(i) === gone || conOf(i) === kept) ||
-        !equations.some(i => conOf(i) === kept)
-      )
-        refuse({kind: "tells-apart", function: name, type})
-      const remaining = withEquations(block, i => conOf(i) === kept)
-      const changed = withPatterns(remaining, i =>
-        patternsOf(remaining, i).map((pattern, k) => (k === j ? pattern?.inputs?.A0?.block : pattern)),
-      )
-      const stays = sides[1 - cut] ?? ""
-      this.#change(block, () => withSignature(changed, withReplaced(signature, range, stays)))
-      return
-    }
-    refuse({kind: "does-not-take", function: name, type})
+    const typed = this.#typed(name)
+    this.#change(typed.block, () => withoutInput(typed, type, this.#meanings))
+  }
+
+  #cutOutput(name: string, type: string): void {
+    const typed = this.#typed(name)
+    const changed = withoutOutput(typed, type, this.#meanings)
+    if (changed === undefined) this.#leave(name)
+    else this.#change(typed.block, () => changed)
   }
 
   #delete(name: string): void {
@@ -327,6 +279,11 @@ class NetworkChange {
     this.#change(main, before => withPlace(before, ref(String(block.extraState?.name))))
   }
 
+  #leave(name: string): void {
+    if (!this.#runs(name)) refuse({kind: "does-not-run", function: name})
+    this.#change(this.#main(), main => withoutPlaces(main, name))
+  }
+
   #runs(name: string): boolean {
     const main = this.#tops().find(({type}) => type === "main")
     return main !== undefined && isPlaced(main, name)
@@ -366,7 +323,7 @@ class NetworkChange {
           ? showScheme(scheme)
           : refuse({kind: "type-unknown", function: name})
     const parts = parseSignature(signature) === undefined ? undefined : signatureParts(signature)
-    return {block, signature, parts: parts ?? refuse({kind: "type-unknown", function: name})}
+    return {name, block, signature, parts: parts ?? refuse({kind: "type-unknown", function: name})}
   }
 
   #ownTypes(): OwnTypes {
@@ -390,6 +347,11 @@ class NetworkChange {
       ({type, extraState}): SavedBlock => ({type, ...(extraState && {extraState})}),
     )
     return namesUsed(block === undefined ? tops : [...tops, block])
+  }
+
+  readonly #meanings: TypeMeanings = {
+    expanded: type => this.#expanded(type),
+    leaves: type => this.#leaves([type]),
   }
 
   #expanded(type: string): string {
@@ -443,17 +405,6 @@ class NetworkChange {
 const side = (name: "Left" | "Right", pattern: SavedBlock | undefined): SavedBlock =>
   make("pattern_construct", {con: name, args: 1}, pattern === undefined ? {} : {A0: pattern})
 
-const patternsInEquations = (block: SavedBlock): readonly number[] =>
-  Array.from(
-    {length: Math.max(1, (block.extraState?.equations as readonly unknown[] | undefined)?.length ?? 1)},
-    (_, i) => i,
-  )
-
-/// Whether a pattern takes every value, so that it tells none apart.
-function takesAll(pattern: SavedBlock | undefined): boolean {
-  return pattern === undefined || pattern.type === "pattern_name" || pattern.type === "pattern_any"
-}
-
 /// How a new function reads in blocks.
 function readingOf(sensor: string): string {
   if (sensor === "()") return "command"
@@ -463,18 +414,6 @@ function readingOf(sensor: string): string {
 function tupleSize(type: Type): number {
   const {head, args} = spine(type)
   return head.kind === "con" && /^\(,+\)$/.test(head.name) ? args.length : 0
-}
-
-/// The sides of a type `Either a b`, as they are written.
-function sidesOf(type: string): readonly [string, string] | undefined {
-  const bare = /^\((.*)\)$/s.exec(type)?.[1] ?? type
-  const parsed = parseType(bare)
-  if (parsed === undefined) return undefined
-  const {head, args} = spine(parsed)
-  const [left, right] = args
-  return head.kind === "con" && head.name === "Either" && left !== undefined && right !== undefined
-    ? [showType(left), showType(right)]
-    : undefined
 }
 
 function withoutIds(block: SavedBlock): SavedBlock {

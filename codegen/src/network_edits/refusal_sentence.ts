@@ -34,6 +34,10 @@ export function refusalSentence(refusal: NetworkRefusal): string {
       return say.tellsApart(refusal.function, refusal.type)
     case "does-not-take":
       return say.doesNotTake(refusal.function, refusal.type)
+    case "does-not-send":
+      return say.doesNotSend(refusal.function, refusal.type)
+    case "computes-together":
+      return say.computesTogether(refusal.function, refusal.type)
     case "used-elsewhere":
       return say.usedElsewhere(refusal.function)
     case "unfinished":

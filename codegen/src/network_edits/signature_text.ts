@@ -3,7 +3,7 @@
 import {isAtomicType} from "../haskell/type_text.ts"
 import {tokens} from "../source/lexer.ts"
 
-interface Range {
+export interface Range {
   readonly start: number
   readonly end: number
 }
@@ -12,6 +12,12 @@ export interface SignatureParts {
   /// Without the arrows and the space around them.
   readonly arguments: readonly Range[]
   readonly result: Range
+}
+
+/// A tuple's place, and those of its parts.
+export interface TupleParts {
+  readonly whole: Range
+  readonly of: readonly Range[]
 }
 
 /// The parts of a type such as `Ord a => a -> Maybe b`; undefined where it is quantified.
@@ -50,6 +56,30 @@ export function signatureParts(text: string): SignatureParts | undefined {
     start = at + length
   }
   return {arguments: parts, result: trimmed(text, start, text.length, comments)}
+}
+
+/// The parts of a type that is a tuple of at least two.
+export function tupleParts(text: string, whole: Range): TupleParts | undefined {
+  if (text[whole.start] !== "(" || text[whole.end - 1] !== ")") return undefined
+  const comments = tokens(text).filter(token => token.kind === "comment")
+  const commas: number[] = []
+  let depth = 0
+  for (let i = whole.start; i < whole.end; i++) {
+    const comment = comments.find(({start}) => start === i)
+    if (comment !== undefined) {
+      i = comment.end - 1
+      continue
+    }
+    const c = text[i] ?? ""
+    if ("([{".includes(c)) depth++
+    else if (")]}".includes(c)) depth--
+    else if (c === "," && depth === 1) commas.push(i)
+    if (depth === 0 && i < whole.end - 1) return undefined
+  }
+  if (commas.length === 0) return undefined
+  const starts = [whole.start, ...commas].map(at => at + 1)
+  const ends = [...commas, whole.end - 1]
+  return {whole, of: starts.map((start, i) => trimmed(text, start, ends[i] ?? start, comments))}
 }
 
 /// A range without space and comments around it.
@@ -101,4 +131,23 @@ export function withoutArgument(text: string, parts: SignatureParts, i: number):
 /// With another text in the place of an argument.
 export function withReplaced(text: string, {start, end}: Range, by: string): string {
   return text.slice(0, start) + by + text.slice(end)
+}
+
+/// Without one part of a tuple. Of two the other one stays alone; `isArgument` is that of another type, such as `Maybe`.
+export function withoutTuplePart(
+  text: string,
+  {whole, of}: TupleParts,
+  i: number,
+  isArgument: boolean,
+): string {
+  if (of.length === 2) {
+    const other = of[1 - i]
+    const alone = other === undefined ? "" : textOf(text, other)
+    return withReplaced(text, whole, isArgument ? bracketed(alone) : alone)
+  }
+  const [cut, before, after] = [of[i], of[i - 1], of[i + 1]]
+  if (cut === undefined) return text
+  return before === undefined
+    ? withReplaced(text, {start: cut.start, end: after?.start ?? cut.end}, "")
+    : withReplaced(text, {start: before.end, end: cut.end}, "")
 }

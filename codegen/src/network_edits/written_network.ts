@@ -3,6 +3,7 @@
 /// Tasks, and functions of other types than those of the robot, of memories and of the program's own events, are left out.
 
 import {chain} from "../blocks/block_reader.ts"
+import {objectsIn} from "../blocks/spec/block_spec.ts"
 import {commands, events, states} from "../robot/roles.ts"
 import type {SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
 import {type Environment, expand} from "../types/environment/environment.ts"
@@ -36,6 +37,8 @@ export interface WrittenFunction {
 
 export interface WrittenNetwork {
   readonly functions: readonly WrittenFunction[]
+  /// The program's own types that tell something apart or hold something: what a memory can be of.
+  readonly types: readonly string[]
   /// Whether the places of `simulate` are known; else nothing is said of what runs.
   readonly hasSimulate: boolean
 }
@@ -65,7 +68,17 @@ export function writtenNetwork(workspace: SavedWorkspace, session = new Inferenc
     if (sent === undefined || (!runs && used.has(name))) return []
     return [{name, runs, inputs, output: sent}]
   })
-  return {functions, hasSimulate: main !== undefined}
+  return {functions, types: tops.flatMap(rememberable), hasSimulate: main !== undefined}
+}
+
+/// The name of a type without parameters that is not only an event.
+function rememberable({type, extraState = {}}: SavedBlock): readonly string[] {
+  const constructors = objectsIn(extraState, "constructors")
+  const [only, ...others] = constructors
+  const tells = others.length > 0 || (only !== undefined && objectsIn(only, "fields").length > 0)
+  const isPlain =
+    type === "data" && !(Array.isArray(extraState.parameters) && extraState.parameters.length > 0)
+  return isPlain && tells && typeof extraState.name === "string" ? [extraState.name] : []
 }
 
 /// The names in each definition but its own, so that a helper is told from what could run.

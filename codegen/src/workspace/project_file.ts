@@ -1,6 +1,6 @@
 /// `.rosy` files (protocol/README.md §5): Haskell is the program, the layout of blocks is a view of it.
 
-import type {LaidOut, Project, ProjectOutcome} from "../api.ts"
+import type {LaidOut, NodePlaces, Project, ProjectOutcome} from "../api.ts"
 import {chain, inOrder, readTree} from "../blocks/block_reader.ts"
 import {blockView} from "../blocks/block_registry.ts"
 import {nameOf} from "../model/bound_names.ts"
@@ -107,7 +107,19 @@ function readLayout(value: unknown, problems: string[]): Project["layout"] {
   const loose = expectList(value.loose, "layout.loose", problems).flatMap(
     (b, i) => expectBlock(b, `layout.loose.${i}`, problems) ?? [],
   )
-  return {declarations, loose}
+  const diagram = readPlaces(value.diagram)
+  return {declarations, loose, ...(Object.keys(diagram).length === 0 ? {} : {diagram})}
+}
+
+/// What is no place is ignored: such a node is placed like any other.
+function readPlaces(value: unknown): NodePlaces {
+  const isPlace = (place: unknown): place is readonly [number, number] =>
+    Array.isArray(place) && place.length === 2 && place.every(at => typeof at === "number" && at >= 0)
+  return isObject(value)
+    ? Object.fromEntries(
+        Object.entries(value).flatMap(([node, place]) => (isPlace(place) ? [[node, place]] : [])),
+      )
+    : {}
 }
 
 function expectList(value: unknown, path: string, problems: string[]): readonly unknown[] {
@@ -230,7 +242,7 @@ export function closeProject(project: Project, workspace: SavedWorkspace): Proje
       })
     })
   }
-  return {...project, haskell: printed.text, layout: {declarations, loose}}
+  return {...project, haskell: printed.text, layout: {...project.layout, declarations, loose}}
 }
 
 export function newProject(name: string): Project {

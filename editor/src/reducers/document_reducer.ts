@@ -38,6 +38,8 @@ export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Tra
       const on = redo(state.history, state.document)
       return on === null ? still(state) : changeTo({...state, history: on.history}, on.document)
     }
+    case "nodes-moved":
+      return still({...state, diagram: {...state.diagram, places: event.places}, saved: "changed"})
     case "renamed":
       return still({...state, name: event.name, saved: "changed"})
     case "stored":
@@ -70,6 +72,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     name: opened.name,
     saved: "saved",
     document: opened.document,
+    diagram: {...state.diagram, chosen: null, places: opened.places ?? {}},
     pendingText: null,
     history: opened.history,
     // Where a program without a room of its own is opened is its room from then on.
@@ -108,7 +111,8 @@ function followProgram(state: PageState, event: DocumentEvent & {kind: "followed
   const history = recordChange(state.history, state.document, "command", event.at)
   const {state: changed, effects} = changeTo({...state, history}, event.document)
   const {name, world, replacedRoom} = event
-  const followed = {...changed, name, replacedRoom, saved: "saved"} as const
+  const diagram = {...changed.diagram, places: event.places ?? {}}
+  const followed = {...changed, diagram, name, replacedRoom, saved: "saved"} as const
   const sameWorld = world === null || JSON.stringify(world) === JSON.stringify(state.worldName)
   // A run in this tab goes on in the room that it has.
   if (sameWorld || isActive(state.run)) return {state: followed, effects}

@@ -62,6 +62,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "undo-pressed":
     case "redo-pressed":
     case "number-drag":
+    case "nodes-moved":
     case "renamed":
     case "stored":
       return reduceDocumentEvent(state, event)

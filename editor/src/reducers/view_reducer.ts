@@ -32,16 +32,19 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, notice: event.notice}
     case "view":
       return {...state, arrangement: withView(state.arrangement, event.view)}
-    case "diagram":
+    case "diagram": {
+      const {chosen} = state.diagram
+      const stays = event.nodes?.some(({kind, key}) => kind === chosen?.kind && key === chosen.key) ?? false
       return {
         ...state,
         diagram: {
           ...state.diagram,
           outcome: event.outcome,
           drawings: state.diagram.drawings + 1,
-          chosen: null,
+          chosen: stays ? chosen : null,
         },
       }
+    }
     case "node-chosen":
       return {...state, diagram: {...state.diagram, chosen: event.node}}
     case "arranged":

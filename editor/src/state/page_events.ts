@@ -1,5 +1,6 @@
 /// Events that change the page's state, grouped by the reducer that applies them.
 
+import type {NodePlaces} from "@rosy/codegen"
 import type {BlockComment} from "../program/block_comments.ts"
 import type {ChangeOrigin, Document, History} from "../program/history.ts"
 import type {BlockId} from "../program/program.ts"
@@ -35,6 +36,8 @@ export interface Opened {
   readonly name: string
   readonly world: string | WorldFile | null
   readonly document: Document
+  /// Nodes of the diagram that were moved.
+  readonly places?: NodePlaces
   /// The steps of undo that were kept.
   readonly history: History
   /// The first program of a new learner: Run pulses once, and after the first run a line invites to change a number.
@@ -105,8 +108,11 @@ export type DocumentEvent =
       readonly world: string | WorldFile | null
       readonly replacedRoom: ReplacedRoom | null
       readonly document: Document
+      readonly places?: NodePlaces
       readonly at: number
     }
+  /// Nodes of the diagram were moved; none has a place of its own after tidying up.
+  | {readonly kind: "nodes-moved"; readonly places: NodePlaces}
   /// The learner has typed; the document follows with the next `program-changed`.
   | {readonly kind: "text-typed"; readonly text: string}
   /// The learner changed the program in one of its views, or by a command; `at` is now, in milliseconds.
@@ -162,8 +168,12 @@ export type ViewEvent =
   | {readonly kind: "arranged"; readonly arrangement: Arrangement}
   | {readonly kind: "arranging"; readonly arranging: PageState["arranging"]}
   | {readonly kind: "layout"; readonly layout: Layout}
-  /// A new diagram was drawn, or could not be.
-  | {readonly kind: "diagram"; readonly outcome: PageState["diagram"]["outcome"]}
+  /// A new diagram was drawn with these nodes, or could not be. The chosen node stays chosen if it is among them.
+  | {
+      readonly kind: "diagram"
+      readonly outcome: PageState["diagram"]["outcome"]
+      readonly nodes?: readonly {readonly kind: string; readonly key: string}[]
+    }
   /// The learner chose a node of the diagram.
   | {readonly kind: "node-chosen"; readonly node: PageState["diagram"]["chosen"]}
   | {readonly kind: "dialog"; readonly dialog: PageState["dialog"]}

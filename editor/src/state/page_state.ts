@@ -1,6 +1,6 @@
 /// The page's state as one value without a DOM, and its first value.
 
-import type {Confusable} from "@rosy/codegen"
+import type {Confusable, NodePlaces} from "@rosy/codegen"
 import type {OlderEncoding, TextFile} from "@rosy/codegen/text-file"
 import type {BlockComment} from "../program/block_comments.ts"
 import {
@@ -171,13 +171,15 @@ export interface PageState {
   readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
   /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
   readonly topics: readonly OwnTopic[]
-  /// What the diagram region shows, how many drawings there have been, and the node that was chosen last in the newest one.
+  /// What the diagram region shows, how many drawings there have been, and the node of the newest one that was chosen last.
   readonly diagram: {
     readonly outcome: "waiting" | "drawn" | "empty" | "failed"
     readonly drawings: number
     readonly chosen: {readonly kind: string; readonly key: string} | null
     /// The pointer or the keyboard is in it: what functions took and gave last can be read there.
     readonly isPointedAt: boolean
+    /// The nodes that the learner moved.
+    readonly places: NodePlaces
   }
   readonly room: RoomState
   /// The runs in this room.
@@ -294,7 +296,7 @@ export const initialState: PageState = {
   types: {text: "", names: [], at: []},
   network: null,
   topics: [],
-  diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false},
+  diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false, places: {}},
   room: emptyRoom,
   runTree: noRuns,
   robots: noRobots,

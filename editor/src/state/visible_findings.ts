@@ -45,3 +45,22 @@ export function trustedFindings(
   const findings = state.document.findings.filter(f => !isUnfinished(f, state.refused))
   return state.accepted ? findings.filter(f => beyondCompiler.has(f.kind)) : findings
 }
+
+/// A conflict is found on two blocks, before a run and in it, and is one mistake.
+export function onePerConflict(findings: readonly Finding[]): readonly Finding[] {
+  const told = new Set<string>()
+  return findings.filter(({kind, message}) => {
+    if (kind !== "conflict") return true
+    const isNew = !told.has(message)
+    told.add(message)
+    return isNew
+  })
+}
+
+/// The conflicts of the program, each once: what its blocks tell, and what the run has shown.
+export function conflictsOf({
+  document,
+  findings,
+}: Pick<PageState, "document" | "findings">): readonly Finding[] {
+  return onePerConflict([...document.findings, ...findings.run].filter(f => f.conflict !== undefined))
+}

@@ -40,6 +40,8 @@ export interface AppController {
   readonly diagram: {
     /// Places everything anew.
     tidy(): void
+    /// Whether a drag moves a node, and connects none.
+    setMoving(on: boolean): void
     list(path: CausalPath): readonly OutlineLine[]
     /// Selects the block and the text of a node.
     choose(id: string): void

@@ -113,6 +113,19 @@ function reloaded({document, history}: Now): Now | null {
   return read === null ? null : {document: opening.opened.document, history: read}
 }
 
+it("a stored program has the places of the diagram's nodes, and its text nothing of them", () => {
+  const {document} = afterEdits([])
+  const project = {name: "p", haskell: "", layout: {declarations: [], loose: []}, world: "", settings: {}}
+  const stored = writeProject(project, document, "p", null, {go: [10, 20]})
+  const opening = readProject(after, stored)
+  if (opening?.kind !== "opened") throw new Error("expected a program")
+  expect(opening.opened.project.layout.diagram).toEqual({go: [10, 20]})
+  expect(opening.opened.document.program.text).toBe(program)
+  // Tidied up.
+  const tidied = writeProject(opening.opened.project, document, "p", null)
+  expect(JSON.parse(tidied).layout).not.toHaveProperty("diagram")
+})
+
 const shown = ({program: {text}, workspace, dimmed}: Document) => ({text, workspace, dimmed})
 const all = ({document, history}: Now) => [...history.past, document, ...history.future].map(shown)
 

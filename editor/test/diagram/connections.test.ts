@@ -7,8 +7,11 @@ import {
   type ConnectionEnd,
   connectionOf,
   firings,
+  hasNewMemory,
   joinings,
+  newMemory,
   suggestedName,
+  withMemory,
 } from "../../src/views/diagram/network/connections.ts"
 import type {NodeKind} from "../../src/views/diagram/network/network.ts"
 
@@ -39,6 +42,26 @@ describe("a connection", () => {
     [end("step", "drive 10"), go, "not-here"],
   ])("from %o to %o", (from, to, connection) => {
     expect(connectionOf(from, to, none)).toEqual(connection)
+  })
+
+  it("with a new memory gets its type later", () => {
+    const made = connectionOf(bumper, end("store", newMemory), none)
+    const read = connectionOf(end("store", newMemory), go, none)
+    const known = connectionOf(memory, go, none)
+    if (typeof made === "string" || typeof read === "string" || typeof known === "string")
+      throw new Error("expected connections")
+    expect([made, read, known].map(hasNewMemory)).toEqual([true, true, false])
+    expect(withMemory(made, "Memory Mode")).toEqual({
+      kind: "new-function",
+      sensor: "Bumper",
+      actuator: "Memory Mode",
+    })
+    expect(withMemory(read, "Memory Mode")).toEqual({
+      kind: "input",
+      function: "go",
+      type: "Memory Mode",
+      isEvent: false,
+    })
   })
 
   it("between functions takes the event that the first one sends already, and asks for a name where there is none", () => {

@@ -82,6 +82,30 @@ describe("the layout", () => {
     )
   })
 
+  it("has a moved node where it was moved to, covers nothing, and ignores nodes that are gone", async () => {
+    const graph = readGraph("randomWalk")
+    const first = await layOut(graph, null, engine)
+    const moved = new Map([
+      ["gone", {x: 5, y: 5}],
+      ["chgdir", {x: 0, y: 0}],
+    ])
+    const second = await layOut(graph, first, engine, moved)
+    expectSound(graph, second)
+    expect(second.boxes.get("chgdir")).toMatchObject({x: 0, y: 0})
+    // A wire ends at the node; what is not in the way stays.
+    for (const {id, from} of graph.edges)
+      if (from === "chgdir") {
+        const {x = 0, y = 0, w = 0, h = 0} = second.boxes.get(from) ?? {}
+        expect(second.routes.get(id)?.[0]).toEqual({x: x + w, y: y + h / 2})
+      }
+    const moves = graph.nodes.filter(n => second.boxes.get(n.id)?.y !== first.boxes.get(n.id)?.y)
+    expect(moves.length).toBeLessThan(graph.nodes.length)
+    // Opened again, from nothing but the program and the places.
+    const again = await layOut(graph, null, engine, moved)
+    expect(again.boxes.get("chgdir")).toMatchObject({x: 0, y: 0})
+    expectSound(graph, again)
+  })
+
   it("puts a renamed function where it was under its former name", async () => {
     const graph = readGraph("randomWalk")
     const before = await layOut(graph, null, engine)

@@ -3,7 +3,7 @@
 
 import {join} from "node:path"
 import {describe, expect, it} from "vitest"
-import {programParts} from "../../src/program/program_graph.ts"
+import {type ProgramPart, programParts} from "../../src/program/program_graph.ts"
 import {firstFolds, fold} from "../../src/views/diagram/network/network.ts"
 import {networkOf} from "../../src/views/diagram/network/network_builder.ts"
 import {outlineText} from "../../src/views/diagram/network/outline.ts"
@@ -57,6 +57,23 @@ describe("the structure of the diagram", () => {
     })
     const unknown = decode(programParts, {parts: [{kind: "loop", name: "f"}]})
     expect(unknown).toEqual({kind: "mismatch", message: "at parts[0].kind: expected a kind of part"})
+  })
+
+  it("a command is in conflict where the program says so, and in tasks where several functions keep sending it", () => {
+    const type = (written: string) =>
+      ({kind: "type", written, spelled: written, own: false, topic: null}) as const
+    const fn = (name: string, input: string) =>
+      ({kind: "function", name, at: null, inputs: [type(input)], output: type("Velocity")}) as const
+    const both = [fn("go", "Seconds"), fn("follow", "Light")]
+    const contested = (conflicts: ReadonlySet<string> | null, parts: readonly ProgramPart[]) =>
+      networkOf(parts, () => "", conflicts).nodes.flatMap(n => (n.contested ? [n.key] : []))
+    const ticking = [fn("go", "Seconds"), fn("turn", "Clock")]
+    expect(contested(new Set(["Velocity"]), both)).toEqual(["Velocity"])
+    // One goes before the other: there is no conflict, although both keep sending.
+    expect(contested(new Set(), ticking)).toEqual([])
+    expect(contested(null, ticking)).toEqual(["Velocity"])
+    const task = {kind: "task", name: "move", at: null, start: [], parts: ticking} as const
+    expect(contested(new Set(), [task])).toEqual(["Velocity"])
   })
 
   it("labels what has no name with its text", () => {

@@ -27,7 +27,11 @@ const part = (name: string, input: string): ProgramPart => ({
 })
 const step: ProgramPart = {kind: "step", name: "drive 10", at: null}
 const literal: ProgramPart = {...part("Velocity 0.5 0", "()"), inputs: []} as ProgramPart
-const network = (...functions: readonly WrittenFunction[]): WrittenNetwork => ({functions, hasSimulate: true})
+const network = (...functions: readonly WrittenFunction[]): WrittenNetwork => ({
+  functions,
+  types: [],
+  hasSimulate: true,
+})
 const defined = new Set(["main", "go", "stop", "beside"])
 
 describe("before the compiler's report the diagram shows", () => {
@@ -53,7 +57,7 @@ describe("before the compiler's report the diagram shows", () => {
   })
 
   it("what was reported, where simulate cannot be read", () => {
-    const written = {functions: [], hasSimulate: false}
+    const written = {functions: [], types: [], hasSimulate: false}
     expect(pendingParts([part("gone", "Bumper")], written, defined)).toEqual([part("gone", "Bumper")])
   })
 })

@@ -27,6 +27,15 @@ describe("a program that is opened", () => {
     expect(play(initialState, hello, inDialog, first, inDialog, chosen).state.dialog).toBeNull()
   })
 
+  it("brings the places of the diagram's nodes, and moving one is a change to be stored", () => {
+    const places = {go: [10, 20]} as const
+    const {state} = play(open, {...opened(null), opened: {...opened(null).opened, places}})
+    expect([state.diagram.places, state.saved]).toEqual([places, "saved"])
+    const moved = play(state, {kind: "nodes-moved", places: {go: [30, 20]}}).state
+    expect([moved.diagram.places, moved.saved]).toEqual([{go: [30, 20]}, "changed"])
+    expect(play(moved, opened(null)).state.diagram.places).toEqual({})
+  })
+
   it("that is new runs at the usual speed", () => {
     const blank: PageEvent = {
       kind: "opened",
@@ -41,6 +50,19 @@ describe("a program that is opened", () => {
     expect(ops).toEqual(["reset", "check"])
     expect(play(state, {kind: "link-lost"}, hello).sent).toContainEqual({op: "world", world: "corridor"})
   })
+})
+
+it("the chosen node of the diagram stays chosen in a new drawing that has it", () => {
+  const node = {kind: "command", key: "Velocity"}
+  const drawn = (...nodes: readonly (typeof node)[]): PageEvent => ({
+    kind: "diagram",
+    outcome: "drawn",
+    nodes,
+  })
+  const chosen = play(open, {kind: "node-chosen", node}).state
+  expect(play(chosen, drawn({kind: "event", key: "Bumper"}, {...node})).state.diagram.chosen).toEqual(node)
+  expect(play(chosen, drawn({kind: "state", key: "Velocity"})).state.diagram.chosen).toBeNull()
+  expect(play(chosen, {kind: "diagram", outcome: "failed"}).state.diagram.chosen).toBeNull()
 })
 
 describe("undo", () => {

@@ -129,7 +129,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Es braucht zuerst einen Namen."
-        : `\`${name}\` kann nicht der Name eines Ereignisses sein. Er ist ein Wort, das groß anfängt.`,
+        : `\`${name}\` kann nicht der Name eines Ereignisses, Typs oder Werts sein. Er ist ein Wort, das groß anfängt.`,
     noSimulate: "Das Programm sagt nicht mit `simulate`, was läuft. Deshalb kann dort nichts dazukommen.",
     typeUnknown: name => `Der Typ von \`${name}\` ist noch nicht klar. Schreibe zuerst den Typ auf.`,
     alreadyTakes: (name, type) => `\`${name}\` bekommt schon \`${type}\`.`,
@@ -142,6 +142,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Fälle von \`${name}\` hängen von \`${type}\` ab. Entferne zuerst diese Fälle in den Blöcken.`,
     doesNotTake: (name, type) => `\`${name}\` bekommt \`${type}\` nicht für sich allein.`,
+    doesNotSend: (name, type) => `\`${name}\` sendet \`${type}\` nicht.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` berechnet \`${type}\` zusammen mit anderem, was es sendet. Trenne beides zuerst in den Blöcken.`,
     usedElsewhere: name => `Eine andere Definition benutzt \`${name}\`. Ändere zuerst diese.`,
     unfinished: names => `Im Text von \`${names}\` ist etwas unfertig. Schreibe es zuerst fertig.`,
   },

@@ -131,7 +131,7 @@ export const sentences = {
     notATypeName: (name: string) =>
       name === ""
         ? "It needs a name first."
-        : `\`${name}\` cannot be the name of an event. It is one word that starts with a capital letter.`,
+        : `\`${name}\` cannot be the name of an event, a type or a value. It is one word that starts with a capital letter.`,
     noSimulate: "The program does not say with `simulate` what it runs, so nothing can be added to that.",
     typeUnknown: (name: string) => `The type of \`${name}\` is not clear yet. Write its type first.`,
     alreadyTakes: (name: string, type: string) => `\`${name}\` takes \`${type}\` already.`,
@@ -144,6 +144,9 @@ export const sentences = {
     tellsApart: (name: string, type: string) =>
       `Cases of \`${name}\` depend on \`${type}\`. Remove those cases in the blocks first.`,
     doesNotTake: (name: string, type: string) => `\`${name}\` does not take \`${type}\` on its own.`,
+    doesNotSend: (name: string, type: string) => `\`${name}\` does not send \`${type}\`.`,
+    computesTogether: (name: string, type: string) =>
+      `\`${name}\` computes \`${type}\` together with what else it sends. Write them apart in its blocks first.`,
     usedElsewhere: (name: string) => `Another definition uses \`${name}\`. Change that one first.`,
     unfinished: (names: string) => `Something in the text of \`${names}\` is unfinished. Finish it first.`,
   },

@@ -126,7 +126,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Primero necesita un nombre."
-        : `\`${name}\` no puede ser el nombre de un evento. Es una palabra que empieza con mayúscula.`,
+        : `\`${name}\` no puede ser el nombre de un evento, un tipo o un valor. Es una palabra que empieza con mayúscula.`,
     noSimulate: "El programa no dice con `simulate` qué ejecuta, así que no se puede añadir nada ahí.",
     typeUnknown: name => `El tipo de \`${name}\` todavía no está claro. Escribe primero su tipo.`,
     alreadyTakes: (name, type) => `\`${name}\` ya recibe \`${type}\`.`,
@@ -139,6 +139,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Hay casos de \`${name}\` que dependen de \`${type}\`. Quita primero esos casos en los bloques.`,
     doesNotTake: (name, type) => `\`${name}\` no recibe \`${type}\` por separado.`,
+    doesNotSend: (name, type) => `\`${name}\` no envía \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcula \`${type}\` junto con lo demás que envía. Sepáralos primero en los bloques.`,
     usedElsewhere: name => `Otra definición usa \`${name}\`. Cambia primero esa.`,
     unfinished: names => `Algo en el texto de \`${names}\` está sin terminar. Termínalo primero.`,
   },

@@ -127,7 +127,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Il faut d'abord un nom."
-        : `\`${name}\` ne peut pas être le nom d'un événement. C'est un mot qui commence par une majuscule.`,
+        : `\`${name}\` ne peut pas être le nom d'un événement, d'un type ou d'une valeur. C'est un mot qui commence par une majuscule.`,
     noSimulate: "Le programme ne dit pas avec `simulate` ce qu'il exécute ; on ne peut donc rien y ajouter.",
     typeUnknown: name => `Le type de \`${name}\` n'est pas encore clair. Écris d'abord son type.`,
     alreadyTakes: (name, type) => `\`${name}\` reçoit déjà \`${type}\`.`,
@@ -140,6 +140,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Des cas de \`${name}\` dépendent de \`${type}\`. Enlève d'abord ces cas dans les blocs.`,
     doesNotTake: (name, type) => `\`${name}\` ne reçoit pas \`${type}\` seul.`,
+    doesNotSend: (name, type) => `\`${name}\` n'envoie pas \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcule \`${type}\` avec le reste de ce qu'il envoie. Sépare-les d'abord dans les blocs.`,
     usedElsewhere: name => `Une autre définition utilise \`${name}\`. Change d'abord celle-là.`,
     unfinished: names => `Le texte de \`${names}\` n'est pas terminé. Termine-le d'abord.`,
   },

@@ -126,7 +126,7 @@ export const sentences: Pick<
     notATypeName: name =>
       name === ""
         ? "Primeiro falta um nome."
-        : `\`${name}\` não pode ser o nome de um evento. É uma palavra que começa com letra maiúscula.`,
+        : `\`${name}\` não pode ser o nome de um evento, um tipo ou um valor. É uma palavra que começa com letra maiúscula.`,
     noSimulate: "O programa não diz com `simulate` o que executa; por isso nada pode ser acrescentado ali.",
     typeUnknown: name => `O tipo de \`${name}\` ainda não está claro. Escreva primeiro o tipo.`,
     alreadyTakes: (name, type) => `\`${name}\` já recebe \`${type}\`.`,
@@ -139,6 +139,9 @@ export const sentences: Pick<
     tellsApart: (name, type) =>
       `Há casos de \`${name}\` que dependem de \`${type}\`. Remova primeiro esses casos nos blocos.`,
     doesNotTake: (name, type) => `\`${name}\` não recebe \`${type}\` sozinho.`,
+    doesNotSend: (name, type) => `\`${name}\` não envia \`${type}\`.`,
+    computesTogether: (name, type) =>
+      `\`${name}\` calcula \`${type}\` junto com o resto que envia. Separe-os primeiro nos blocos.`,
     usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
     unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
   },

@@ -5,6 +5,7 @@ import {
   type BlockProblem,
   type Inference,
   infer,
+  type NodePlaces,
   newProject,
   newWorkspace,
   type Project,
@@ -131,20 +132,25 @@ export function writeHaskell(project: Project, document: Document): string {
   return withLineEndingsOf(project.haskell, document.program.text)
 }
 
-/// The text of the project file for the program as it is.
+/// The text of the project file for the program as it is. `places` are those of nodes of the diagram that were moved.
 export function writeProject(
   project: Project,
   document: Document,
   name: string,
   room: string | WorldFile | null,
+  places: NodePlaces = {},
 ): string {
   const {view} = document
+  const moved = Object.keys(places).length === 0 ? {} : {diagram: places}
   return saveProject({
     ...project,
     name,
     ...(view === null
       ? {}
-      : {haskell: withLineEndingsOf(project.haskell, view.text), layout: layoutOf(view)}),
+      : {
+          haskell: withLineEndingsOf(project.haskell, view.text),
+          layout: {...layoutOf(view), ...moved},
+        }),
     ...(room === null ? {} : {world: room}),
   })
 }

@@ -88,7 +88,10 @@ export function openProgramLoader(
   const requests = orderRequests()
   const openings: (() => void)[] = []
   const notify = (notice: Notice) => store.dispatch({kind: "notice", notice})
-  const projectText = () => writeProject(project, store.now.document, store.now.name, store.now.worldName)
+  const projectText = () => {
+    const {document, name, worldName, diagram} = store.now
+    return writeProject(project, document, name, worldName, diagram.places)
+  }
   const roomOf = (id: string | null) => (id === null ? null : stored.replacedRoom(id))
   const autosave = openAutosave(store, stored, {
     projectText,
@@ -111,6 +114,7 @@ export function openProgramLoader(
         world,
         replacedRoom: roomOf(autosave.place()),
         document,
+        places: project.layout.diagram ?? {},
         at: performance.now(),
       })
       editor.showText()
@@ -174,7 +178,20 @@ function openingOf(
   replacedRoom: ReplacedRoom | null,
 ) {
   const {name} = project
-  return {name, world, document, history, welcome, isFirstVisit, isNew, inLesson, isFirst, replacedRoom}
+  const places = project.layout.diagram ?? {}
+  return {
+    name,
+    places,
+    world,
+    document,
+    history,
+    welcome,
+    isFirstVisit,
+    isNew,
+    inLesson,
+    isFirst,
+    replacedRoom,
+  }
 }
 
 /// Opens programs and rooms from the learner's disk.

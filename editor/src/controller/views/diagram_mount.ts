@@ -3,12 +3,12 @@
 import {download, downloadBlob, fileName} from "../../browser/local_files.ts"
 import type {Store} from "../../browser/store.ts"
 import {innermostBlock, offsetOf, selectedDefinition} from "../../program/program.ts"
-import type {ProgramPart} from "../../program/program_graph.ts"
 import {viewOf} from "../../state/arrangement.ts"
 import type {Explanation} from "../../state/messages/why_state.ts"
 import {awaitsProgram, type PageState} from "../../state/page_state.ts"
 import {framesBetween} from "../../state/runs/recording.ts"
 import {shownFrame} from "../../state/runs/room_state.ts"
+import {conflictsOf} from "../../state/visible_findings.ts"
 import type {AppController} from "../../ui/app_context.ts"
 import {lastOf} from "../../values/last_values.ts"
 import {nodeQuestions} from "../../values/node_questions.ts"
@@ -38,6 +38,7 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
   let host: HTMLElement | null = null
   let loaded: LoadedDiagram | null = null
   let isLoading = false
+  let places: PageState["diagram"]["places"] = {}
   let explained: Explanation | null = null
   const followProgram = programFollower()
   const followRun = runFollower(store)
@@ -69,6 +70,10 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
         return
       }
       const {view} = loaded
+      if (places !== state.diagram.places) {
+        places = state.diagram.places
+        view.place(places)
+      }
       followProgram(state, loaded)
       const answer = state.why.open?.answer ?? null
       if (answer !== explained) {
@@ -80,7 +85,11 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
     },
     commands: {
       editing: () => loaded?.editing ?? null,
-      tidy: () => loaded?.view.tidy(),
+      tidy() {
+        if (Object.keys(places).length > 0) store.dispatch({kind: "nodes-moved", places: {}})
+        loaded?.view.tidy()
+      },
+      setMoving: on => loaded?.view.setMoving(on),
       list: path => loaded?.view.list(path) ?? [],
       choose: id => loaded?.view.chooseById(id),
       saveSvg() {
@@ -113,30 +122,34 @@ async function loadDiagram(
       const question = time === null || room.run === null ? undefined : nodeQuestions(node, time)[0]
       if (question !== undefined) store.dispatch({kind: "why", event: {kind: "asked", question}})
     },
+    moved: places => store.dispatch({kind: "nodes-moved", places}),
     lastOf: node => lastOf(store.now.room, node, words.why, measures),
     typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
-    drawn: outcome => store.dispatch({kind: "diagram", outcome}),
+    drawn: (outcome, nodes) => store.dispatch({kind: "diagram", outcome, nodes}),
   })
   return {view, editing, pendingParts}
 }
 
 /// Shows the parts of the program when they differ from those that are shown.
 function programFollower(): (state: PageState, diagram: LoadedDiagram) => void {
-  let shown: readonly ProgramPart[] | null = null
-  let shownOf: unknown = null
+  let shown = ""
+  let shownOf: readonly unknown[] = []
   return (state, {view, editing, pendingParts}) => {
-    const {network, document} = state
+    const {network, document, findings} = state
     // A program with an empty place is not reported; what its text says of it is shown all the same.
     const isReported =
       network !== null && (network.text === document.program.text || document.dimmed.length > 0)
-    const of = isReported ? network : document.workspace
-    if (of === shownOf || awaitsProgram(state)) return
+    const of = [isReported ? network : document.workspace, document.findings, findings.run]
+    if (of.every((one, i) => one === shownOf[i]) || awaitsProgram(state)) return
     shownOf = of
     const defined = new Set(document.program.definitions.map(d => d.name))
     const now = isReported ? network.parts : pendingParts(network?.parts ?? [], editing.written(), defined)
-    if (JSON.stringify(now) === JSON.stringify(shown)) return
-    shown = now
-    view.show(now, network?.text ?? document.program.text)
+    const commands = new Set(conflictsOf(state).flatMap(f => f.conflict?.command ?? []))
+    const conflicts = editing.written().hasSimulate ? commands : null
+    const content = JSON.stringify([now, conflicts === null ? null : [...conflicts]])
+    if (content === shown) return
+    shown = content
+    view.show(now, network?.text ?? document.program.text, conflicts)
   }
 }
 

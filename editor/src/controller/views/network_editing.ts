@@ -1,6 +1,6 @@
 /// Edits of the program in the diagram: what a connection would be, and the change of the text that an edit makes.
 
-import type {NetworkAction, NetworkRefusal, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {DeclaredType, NetworkAction, NetworkRefusal, WrittenNetwork} from "@rosy/codegen/network-edits"
 import type {Store} from "../../browser/store.ts"
 import {changesBetween} from "../../program/text_changes.ts"
 import type {NetworkEditing} from "../../views/diagram/editing.ts"
@@ -9,8 +9,10 @@ import {
   asksName,
   type Connection,
   connectionOf,
+  hasNewMemory,
   joinings,
   suggestedName,
+  withMemory,
 } from "../../views/diagram/network/connections.ts"
 import {words} from "../../words/index.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
@@ -35,11 +37,11 @@ export function networkEditing(
       known = {workspace, written: network.writtenNetwork(workspace, session)}
     return known.written
   }
-  const tryOut = (action: NetworkAction) => {
+  const tryOut = (action: NetworkAction, declares?: DeclaredType) => {
     const {view} = store.now.document
     return parts.reader === null || view === null
       ? null
-      : network.networkEdit(parts.reader, view, action, session)
+      : network.networkEdit(parts.reader, view, action, session, declares)
   }
   const sentence = (refusal: NetworkRefusal) => network.refusalSentence(refusal)
   const taken = () => new Set(store.now.document.program.definitions.map(d => d.name))
@@ -51,7 +53,12 @@ export function networkEditing(
       if (typeof connection === "string")
         return {kind: "refused", why: words.diagram.edit.misfits[connection]}
       const name = suggestedName(connection, taken())
-      const outcomes = joinings(connection).map(as => [as, tryOut(actionOf(connection, name, as))] as const)
+      const memories = hasNewMemory(connection) ? [...plainTypes, ...written().types] : []
+      const isFitting = (type: string) =>
+        tryOut(actionOf(withMemory(connection, `Memory ${type}`), name, "all"))?.ok === true
+      const remembered = memories.find(isFitting) ?? memories[0] ?? ""
+      const tried = withMemory(connection, `Memory ${remembered}`)
+      const outcomes = joinings(tried).map(as => [as, tryOut(actionOf(tried, name, as))] as const)
       const fitting = outcomes.flatMap(([as, outcome]) => (outcome?.ok ? [as] : []))
       const [first] = outcomes
       const refusal = first?.[1]
@@ -70,11 +77,13 @@ export function networkEditing(
         asks: asksName(connection),
         name,
         joinings: fitting,
+        // The first is chosen at first.
+        memories: memories.length === 0 ? [] : [...new Set([remembered, ...memories])],
       }
     },
-    edit(action) {
+    edit(action, declares) {
       editor.flush()
-      const outcome = tryOut(action)
+      const outcome = tryOut(action, declares)
       if (outcome === null) return words.diagram.edit.misfits["not-here"]
       if (!outcome.ok) return sentence(outcome.refusal)
       editor.changeText(changesBetween(store.now.document.program.text, outcome.text))
@@ -84,6 +93,9 @@ export function networkEditing(
     },
   }
 }
+
+/// What a pupil's first programs remember.
+const plainTypes = ["Bool", "Int", "Double"]
 
 function titleOf(connection: Connection): string {
   const say = words.diagram.edit

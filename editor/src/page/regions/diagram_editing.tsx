@@ -4,16 +4,24 @@
 import type {NetworkAction, WrittenFunction, WrittenShape} from "@rosy/codegen/network-edits"
 import {commands, events, states, viewedEvent} from "@rosy/codegen/roles"
 import type {RefObject, VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useEffect, useRef, useState} from "preact/hooks"
 import {selectedDefinition} from "../../program/program.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {TextEntry} from "../../ui/text_entry.tsx"
 import {openConnectionDrag} from "../../views/diagram/drawing/connection_drag.ts"
 import type {Proposal} from "../../views/diagram/editing.ts"
 import type {Point} from "../../views/diagram/layout/geometry.ts"
-import {actionOf, type ConnectionEnd, firings, type Joining} from "../../views/diagram/network/connections.ts"
+import {
+  actionOf,
+  type ConnectionEnd,
+  firings,
+  type Joining,
+  newMemory,
+  withMemory,
+} from "../../views/diagram/network/connections.ts"
 import type {NodeKind} from "../../views/diagram/network/network.ts"
 import {words} from "../../words/index.ts"
+import {usePlaceInWindow} from "./place_in_window.ts"
 
 /// A question about a connection, at a place of the window.
 export interface Asked {
@@ -39,10 +47,11 @@ const sensors: readonly ConnectionEnd[] = [
 ]
 const actuators = endsOf("command", [...commands])
 
-/// What a pupil's first programs remember.
-const memories = endsOf("store", ["Memory Bool", "Memory Int", "Memory Double"])
+/// What it remembers is asked when it is connected.
+const memories = endsOf("store", [newMemory])
 
-const nameOf = ({type}: ConnectionEnd) => (type === "()" ? words.diagram.list.tick : type)
+const nameOf = ({type}: ConnectionEnd) =>
+  type === "()" ? words.diagram.list.tick : type === newMemory ? words.diagram.edit.newMemory : type
 
 /// The functions of the program as its text has them, read again when it changes.
 export function useWritten(): readonly WrittenFunction[] {
@@ -119,19 +128,15 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const {proposal, at} = asked
   const [name, setName] = useState(proposal.name)
   const [joining, setJoining] = useState<Joining>(proposal.joinings[0] ?? "all")
+  const [memory, setMemory] = useState(proposal.memories[0] ?? "")
+  const [declared, setDeclared] = useState({name: "", values: ""})
   const [why, setWhy] = useState<string | null>(null)
   const form = useRef<HTMLFormElement>(null)
   // All of it is seen, also in a low region.
-  useLayoutEffect(() => {
-    const own = form.current
-    if (own === null) return
-    const {width, height} = own.getBoundingClientRect()
-    own.style.left = `${Math.max(8, Math.min(at.x, window.innerWidth - width - 8))}px`
-    own.style.top = `${Math.max(8, Math.min(at.y, window.innerHeight - height - 8))}px`
-  })
+  usePlaceInWindow(form, at)
   useEffect(() => {
     const field = form.current?.querySelector<HTMLElement>(
-      "input[type=text], input[type=radio]:checked, button",
+      "input[type=text], select, input[type=radio]:checked, button",
     )
     field?.focus()
     if (field instanceof HTMLInputElement && field.type === "text") field.select()
@@ -140,7 +145,15 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
   const {connection, asks, joinings} = proposal
   const isEvent = connection.kind === "functions" || (connection.kind === "input" && connection.isEvent)
   const make = () => {
-    const refused = controller.diagram.editing()?.edit(actionOf(connection, name.trim(), joining)) ?? null
+    const isNew = memory === newType
+    const type = isNew ? declared.name.trim() : memory
+    const declares = isNew
+      ? {name: type, values: declared.values.split(/[\s,|]+/).filter(Boolean)}
+      : undefined
+    if (declares?.values.length === 0) return setWhy(edit.valuesMissing)
+    const whole = withMemory(connection, `Memory ${type}`)
+    const action = actionOf(whole, name.trim(), joining)
+    const refused = controller.diagram.editing()?.edit(action, declares) ?? null
     setWhy(refused)
     if (refused === null) close()
   }
@@ -169,6 +182,39 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
           spellcheck={false}
         />
       )}
+      {proposal.memories.length > 0 && (
+        <label class="field">
+          <span>{edit.remembers}</span>
+          <select value={memory} onChange={event => setMemory(event.currentTarget.value)}>
+            {proposal.memories.map(type => (
+              <option key={type} value={type}>
+                {nameOfType(type)}
+              </option>
+            ))}
+            <option value={newType}>{edit.newType}</option>
+          </select>
+        </label>
+      )}
+      {memory === newType && (
+        <>
+          <TextEntry
+            label={edit.nameOfType}
+            value={declared.name}
+            set={typed => setDeclared({...declared, name: typed})}
+            placeholder="Mode"
+            autocomplete="off"
+            spellcheck={false}
+          />
+          <TextEntry
+            label={edit.valuesOfType}
+            value={declared.values}
+            set={typed => setDeclared({...declared, values: typed})}
+            placeholder="Calm Alarmed"
+            autocomplete="off"
+            spellcheck={false}
+          />
+        </>
+      )}
       {joinings.length > 1 &&
         joinings.map(as => (
           <label key={as} class="joining">
@@ -194,6 +240,14 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
       </div>
     </form>
   )
+}
+
+/// The choice of a type that the program does not have yet: no type has this name.
+const newType = "…"
+
+const nameOfType = (type: string): string => {
+  const {plainTypes} = words.diagram.edit
+  return type === "Bool" || type === "Int" || type === "Double" ? `${type}: ${plainTypes[type]}` : type
 }
 
 /// Occurrences of two inputs, in units of the picture, and below them when the function fires.
@@ -247,8 +301,9 @@ export function FunctionActions(): VNode | null {
     setAsks(what)
     setName(what === "rename" ? found.name : `${found.name}2`)
   }
-  const button = (label: string, press: () => void) => (
-    <button key={label} type="button" class="plain small" onClick={press}>
+  const outputs = sent(found)
+  const button = (label: string, press: () => void, title?: string) => (
+    <button key={label} type="button" class="plain small" title={title} onClick={press}>
       {label}
     </button>
   )
@@ -259,12 +314,18 @@ export function FunctionActions(): VNode | null {
         <>
           {button(edit.rename, () => open("rename"))}
           {button(edit.duplicate, () => open("duplicate"))}
-          {button(found.runs ? edit.leave : edit.join, () =>
-            act({kind: found.runs ? "leave" : "join", function: found.name}),
+          {button(
+            found.runs ? edit.leave : edit.join,
+            () => act({kind: found.runs ? "leave" : "join", function: found.name}),
+            found.runs && outputs.length === 1 ? edit.cutOnlyOutput(outputs[0] ?? "") : undefined,
           )}
           {cuttable(found).map(type =>
             button(edit.cut(type), () => act({kind: "cut-input", function: found.name, type})),
           )}
+          {outputs.length > 1 &&
+            outputs.map(type =>
+              button(edit.cutOutput(type), () => act({kind: "cut-output", function: found.name, type})),
+            )}
           {button(edit.remove, () => act({kind: "delete", function: found.name}))}
         </>
       ) : (
@@ -307,6 +368,17 @@ function cuttable({inputs}: WrittenFunction): readonly string[] {
     if (shape.kind !== "either") return []
     return shape.of.flatMap((one: WrittenShape) => (one.kind === "type" ? [one.written] : []))
   })
+}
+
+/// What a function sends. Of several each can be cut off; without its only output it would not run.
+function sent({output}: WrittenFunction): readonly string[] {
+  const inside = (shape: WrittenShape): readonly string[] =>
+    shape.kind === "type"
+      ? [shape.written]
+      : shape.kind === "all" || shape.kind === "either"
+        ? shape.of.flatMap(inside)
+        : inside(shape.of)
+  return [...new Set(inside(output))]
 }
 
 /// Functions that the program defines and does not run.

@@ -10,6 +10,7 @@ import type {Point} from "../../views/diagram/layout/geometry.ts"
 import {nextInList} from "../../views/diagram/list_navigation.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
+import {ActuatorConflicts} from "./actuator_conflicts.tsx"
 import {
   type Asked,
   ConnectionForm,
@@ -25,6 +26,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
+  const [moves, setMoves] = useState(false)
   const {outcome} = usePageState(s => s.diagram)
   // Tasks are shown as they were reported last; functions as the text has them, unless it is broken.
   const isStale = usePageState(
@@ -63,6 +65,20 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         >
           {diagram.tidy}
         </button>
+        {!asList && (
+          <button
+            type="button"
+            class="plain small"
+            title={diagram.moveHint}
+            aria-pressed={moves}
+            onClick={() => {
+              controller.diagram.setMoving(!moves)
+              setMoves(!moves)
+            }}
+          >
+            {diagram.move}
+          </button>
+        )}
         <span class="space" />
         <button
           type="button"
@@ -100,6 +116,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         {asked !== null && (
           <ConnectionForm key={asked.proposal.title} asked={asked} close={() => setAsked(null)} />
         )}
+        <ActuatorConflicts stage={stage} />
         {refused !== null && (
           <p class="refused" role="alert">
             {refused}

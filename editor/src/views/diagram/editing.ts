@@ -1,6 +1,6 @@
 /// Interface of the edits that the diagram makes in a program.
 
-import type {NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {DeclaredType, NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
 import type {Connection, ConnectionEnd, Joining} from "./network/connections.ts"
 
 /// What becomes of a connection.
@@ -14,6 +14,8 @@ export type Proposal =
       readonly asks: "function" | "event" | null
       readonly name: string
       readonly joinings: readonly Joining[]
+      /// What a new memory can remember; empty where there is no new memory.
+      readonly memories: readonly string[]
     }
 
 export interface NetworkEditing {
@@ -21,5 +23,5 @@ export interface NetworkEditing {
   written(): WrittenNetwork
   propose(from: ConnectionEnd, to: ConnectionEnd): Proposal
   /// Makes an edit, as one undo step, and shows the definition that it is about; the reason if that is impossible.
-  edit(action: NetworkAction): string | null
+  edit(action: NetworkAction, declares?: DeclaredType): string | null
 }

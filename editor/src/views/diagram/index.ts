@@ -1,9 +1,11 @@
 /// The diagram, for the page: `openDiagram(host, options)`. It is loaded when it is shown for the first time.
 
+import type {NodePlaces} from "@rosy/codegen"
 import type {ProgramPart} from "../../program/program_graph.ts"
 import type {Frame} from "../../state/messages/messages.ts"
 import {pngOf, standalone} from "./drawing/picture.ts"
 import type {ViewOptions, ViewWords} from "./drawing/view_types.ts"
+import type {Point} from "./layout/geometry.ts"
 import {type Layout, layOut} from "./layout/layout.ts"
 import {openLayoutEngine} from "./layout/layout_engine.ts"
 import {type Activity, isFading, noActivity, observe} from "./network/activity.ts"
@@ -24,13 +26,15 @@ export interface DiagramOptions {
   valueClicked(node: DiagramNode): void
   typeOf(node: DiagramNode): string | null
   lastOf(node: DiagramNode): string | null
+  /// The learner moved a node: all places that nodes have been moved to.
+  moved(places: NodePlaces): void
   /// A new drawing is there, or none could be made.
-  drawn(outcome: "drawn" | "empty" | "failed"): void
+  drawn(outcome: "drawn" | "empty" | "failed", nodes: readonly DiagramNode[]): void
 }
 
 export interface DiagramView {
-  /// Shows what a program runs; `text` is the program's.
-  show(parts: readonly ProgramPart[], text: string): void
+  /// Shows what a program runs; `text` is the program's, `conflicts` as in `networkOf`.
+  show(parts: readonly ProgramPart[], text: string, conflicts: ReadonlySet<string> | null): void
   /// The new frames of the run; `now` is the learner's time in ms. Returns whether more is to be drawn without a new frame.
   live(frames: readonly Frame[], now: number): boolean
   /// One frame of the past.
@@ -42,6 +46,10 @@ export interface DiagramView {
   explain(path: CausalPath): void
   /// Places everything anew.
   tidy(): void
+  /// The learner moved these nodes, now or before the program was opened.
+  place(places: NodePlaces): void
+  /// Whether a drag moves a node, and connects none.
+  setMoving(on: boolean): void
   /// With what led to the answer of a question.
   list(path: CausalPath): readonly OutlineLine[]
   chooseById(id: string): void
@@ -56,6 +64,7 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
   let layout: Layout | null = null
   let folded: ReadonlySet<string> = new Set()
   let activity: Activity = noActivity
+  let moved: NodePlaces = {}
   let asked = 0
 
   const drawing = openDrawing(host, {
@@ -64,6 +73,15 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     valueClicked: options.valueClicked,
     typeOf: options.typeOf,
     lastOf: options.lastOf,
+    moved(id, by) {
+      const scope = layout?.scopes.get(network.nodes.find(node => node.id === id)?.parent ?? "")
+      const box = scope?.boxes.get(id)
+      if (box === undefined) return
+      const known = new Set(whole.nodes.map(node => node.id))
+      const kept = Object.entries(moved).filter(([node]) => known.has(node))
+      const place = [box.x + by.x, box.y + by.y].map(at => Math.max(0, Math.round(at))) as [number, number]
+      options.moved({...Object.fromEntries(kept), [id]: place})
+    },
     toggled(id) {
       const next = new Set(folded)
       if (!next.delete(id)) next.add(id)
@@ -77,22 +95,22 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     const mine = ++asked
     const shown = fold(whole, folded)
     try {
-      const placed = await layOut(shown, layout, engine.layOut)
+      const placed = await layOut(shown, layout, engine.layOut, pointsOf(moved))
       if (mine !== asked) return
       network = shown
       layout = placed
       drawing.show(network, placed)
-      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn")
+      options.drawn(whole.nodes.length === 0 ? "empty" : "drawn", whole.nodes)
     } catch {
-      if (mine === asked) options.drawn("failed")
+      if (mine === asked) options.drawn("failed", [])
     }
   }
 
   return {
-    show(parts, text) {
+    show(parts, text, conflicts) {
       const lines = text.split("\n")
       const first = whole.nodes.length === 0
-      whole = networkOf(parts, at => textOf(lines, at))
+      whole = networkOf(parts, at => textOf(lines, at), conflicts)
       if (first) folded = firstFolds(whole)
       void draw()
     },
@@ -114,6 +132,11 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
       layout = null
       void draw()
     },
+    place(places) {
+      moved = places
+      if (whole.nodes.length > 0) void draw()
+    },
+    setMoving: on => drawing.setMoving(on),
     list: path => outline(whole, options.words.list, explained(whole, path).marked),
     chooseById(id) {
       const node = whole.nodes.find(one => one.id === id)
@@ -123,6 +146,9 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     pngFile: async () => pngOf(await standalone(drawing.svg, getComputedStyle(host).backgroundColor)),
   }
 }
+
+const pointsOf = (places: NodePlaces): ReadonlyMap<string, Point> =>
+  new Map(Object.entries(places).map(([node, [x, y]]) => [node, {x, y}]))
 
 /// The first line of a piece of the text.
 function textOf(

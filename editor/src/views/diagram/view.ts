@@ -1,16 +1,18 @@
 /// Diagram as SVG: a network at its layout, keyboard and pointer, and the activity of the run.
 
 import {type DrawnEdge, drawEdge} from "./drawing/edge_drawing.ts"
+import {openNodeDrag} from "./drawing/node_drag.ts"
 import {type DrawnNode, drawNode, fitting} from "./drawing/node_drawing.ts"
 import {svgElement} from "./drawing/svg_element.ts"
 import type {DrawnDiagram, ViewOptions} from "./drawing/view_types.ts"
+import type {Point} from "./layout/geometry.ts"
 import {neighbour} from "./layout/keyboard_navigation.ts"
 import type {Layout} from "./layout/layout.ts"
 import {type Activity, type Appearance, appearanceOf, noActivity, textMs} from "./network/activity.ts"
 import {type CausalPath, noPath} from "./network/causal_path.ts"
 import {explained} from "./network/explained.ts"
 import {firstOf, isContainer, isJoin, type Network, shortened, valuedNode} from "./network/network.ts"
-import {outline} from "./network/outline.ts"
+import {contestedText, outline} from "./network/outline.ts"
 
 /// A drawing is scrolled before it becomes smaller than this share of its size, so that it can be read at arm's length.
 const leastScale = 0.66
@@ -39,6 +41,7 @@ class SvgDiagram implements DrawnDiagram {
   /// The node that the pointer or the keyboard came to last.
   private pointedAt: string | null = null
   private path: CausalPath = noPath
+  private isMoving = false
   /// When values were written last, in ms of the learner's time.
   private wroteAt = Number.NEGATIVE_INFINITY
 
@@ -59,6 +62,7 @@ class SvgDiagram implements DrawnDiagram {
       this.makeCurrent(this.nodeOf(event.target))
     })
     this.svg.addEventListener("click", event => this.click(event.target))
+    openNodeDrag(this.svg, {isOn: () => this.isMoving, moved: (id, by) => options.moved(id, by)})
     this.svg.addEventListener("keydown", event => this.press(event))
   }
 
@@ -95,6 +99,11 @@ class SvgDiagram implements DrawnDiagram {
     this.wroteAt = now
     const pointedAt = nodes.get(this.pointedAt ?? "")
     if (pointedAt !== undefined) this.setTitle(pointedAt)
+  }
+
+  setMoving(on: boolean): void {
+    this.isMoving = on
+    this.svg.classList.toggle("movable", on)
   }
 
   select(name: string | null): void {
@@ -201,7 +210,8 @@ class SvgDiagram implements DrawnDiagram {
     const isKnown = node.kind === "event" || node.kind === "state" || node.kind === "store"
     const last = value !== null ? words.lastValue(value) : isKnown ? words.notYet : null
     const messages = node.topic === null ? [] : [node.topic.name, node.topic.type]
-    const text = [node.label, type === null ? null : words.type(type), ...messages, last]
+    const contested = node.contested ? contestedText(node, words.list) : null
+    const text = [node.label, type === null ? null : words.type(type), ...messages, last, contested]
       .filter(Boolean)
       .join("\n")
     if (title.textContent !== text) title.textContent = text
@@ -223,7 +233,9 @@ class SvgDiagram implements DrawnDiagram {
   private press(event: KeyboardEvent): void {
     const drawn = this.nodeOf(event.target)
     if (drawn === null || event.ctrlKey || event.metaKey || event.altKey) return
-    if (event.key === "Enter" || event.key === " ") this.choose(drawn)
+    const by = event.shiftKey ? steps[event.key] : undefined
+    if (by !== undefined) this.options.moved(drawn.node.id, by)
+    else if (event.key === "Enter" || event.key === " ") this.choose(drawn)
     else {
       const {marked} = explained(this.network, this.path)
       const next = neighbour(this.network, this.places, drawn.node, event.key, marked)
@@ -256,6 +268,15 @@ class SvgDiagram implements DrawnDiagram {
     const edge = this.network.edges.find(one => one.id === text.dataset["edge"])
     return edge === undefined ? this.nodeOf(text) : (this.nodes.get(valuedNode(this.network, edge)) ?? null)
   }
+}
+
+/// How far a key moves a node, px.
+const step = 20
+const steps: {readonly [key: string]: Point} = {
+  ArrowLeft: {x: -step, y: 0},
+  ArrowRight: {x: step, y: 0},
+  ArrowUp: {x: 0, y: -step},
+  ArrowDown: {x: 0, y: step},
 }
 
 /// Characters below which nothing is written on an edge.

@@ -1,5 +1,6 @@
 /// Interface of the drawn diagram: its words, its events, and what it can show.
 
+import type {Point} from "../layout/geometry.ts"
 import type {Layout} from "../layout/layout.ts"
 import type {Activity} from "../network/activity.ts"
 import type {CausalPath} from "../network/causal_path.ts"
@@ -22,6 +23,8 @@ export interface ViewOptions {
   readonly words: ViewWords
   /// The learner chose a node.
   chosen(node: DiagramNode): void
+  /// The learner moved a node by so many pixels of the drawing.
+  moved(id: string, by: Point): void
   /// A container was opened or closed.
   toggled(id: string): void
   /// The learner clicked on the value of a node.
@@ -35,6 +38,8 @@ export interface ViewOptions {
 export interface DrawnDiagram {
   readonly svg: SVGSVGElement
   show(network: Network, layout: Layout): void
+  /// Whether a drag moves a node, and connects none.
+  setMoving(on: boolean): void
   /// Marks the functions of this name.
   select(name: string | null): void
   /// Marks what led to the answer of a question.

@@ -2,7 +2,7 @@
 
 import {type DiagramEdge, type DiagramNode, isContainer, type Network} from "../network/network.ts"
 import {type Box, inset, type Point, sizeOf, titleHeight} from "./geometry.ts"
-import {joinLayouts, type ScopeLayout} from "./stable_positions.ts"
+import {joinLayouts, type ScopeLayout, withMoved} from "./stable_positions.ts"
 
 /// The part of an ELK graph that is used (https://eclipse.dev/elk/documentation/tooldevelopers/graphdatastructure/jsonformat.html).
 export interface ElkGraph {
@@ -41,7 +41,13 @@ export interface Layout {
 /// Space between the steps of a chart.
 const stepGap = 26
 
-export async function layOut(network: Network, before: Layout | null, engine: Engine): Promise<Layout> {
+/// `moved`: the places that the learner gave to nodes, each in its scope; those of other nodes are ignored.
+export async function layOut(
+  network: Network,
+  before: Layout | null,
+  engine: Engine,
+  moved: ReadonlyMap<string, Point> = new Map(),
+): Promise<Layout> {
   const scopes = new Map<string, ScopeLayout>()
   const inside = (parent: string | null) => network.nodes.filter(node => node.parent === parent)
 
@@ -61,7 +67,11 @@ export async function layOut(network: Network, before: Layout | null, engine: En
     const scope =
       parent?.kind === "chart"
         ? stacked(parent, nodes, sizes, edges)
-        : joinLayouts(before?.scopes.get(key), await networkLayout(nodes, sizes, edges, engine), edges)
+        : withMoved(
+            joinLayouts(before?.scopes.get(key), await networkLayout(nodes, sizes, edges, engine), edges),
+            moved,
+            edges,
+          )
     scopes.set(key, scope)
     return extentOf(scope)
   }

@@ -46,8 +46,7 @@ export function joinLayouts(
   /// Where the new layout has it, moved as its neighbours were; a slender one directly before what it leads to.
   function beside(id: string, box: Box): Box {
     const next = boxes.get(edges.find(e => e.from === id)?.to ?? "")
-    if (box.w <= slender && next !== undefined)
-      return {...box, x: Math.max(0, next.x - margin - box.w), y: Math.max(0, next.y + (next.h - box.h) / 2)}
+    if (box.w <= slender && next !== undefined) return directlyBefore(next, box)
     const neighbours = edges.flatMap(e => (e.from === id ? [e.to] : e.to === id ? [e.from] : []))
     const offsets = [...neighbours, ...fresh.boxes.keys()].flatMap(other => {
       const now = boxes.get(other)
@@ -59,6 +58,40 @@ export function joinLayouts(
   }
   return {boxes, routes: routesOf(before, fresh, boxes, edges)}
 }
+
+/// Puts nodes where the learner moved them; what would lie below them makes way. The dot or bar before a moved function goes with it.
+export function withMoved(
+  scope: ScopeLayout,
+  moved: ReadonlyMap<string, Point>,
+  edges: readonly DiagramEdge[],
+): ScopeLayout {
+  const boxes = new Map<string, Box>()
+  const put = (id: string, wanted: Box) => {
+    const taken = [...boxes.values()]
+    boxes.set(id, taken.some(other => overlaps(wanted, other)) ? freePlace(wanted, taken) : wanted)
+  }
+  // What was moved last is last.
+  for (const [id, {x, y}] of moved) {
+    const box = scope.boxes.get(id)
+    if (box !== undefined) put(id, {...box, x, y})
+  }
+  if (boxes.size === 0) return scope
+  for (const [id, box] of scope.boxes) {
+    if (boxes.has(id)) continue
+    const next = edges.find(e => e.from === id)?.to ?? ""
+    const target = box.w <= slender && moved.has(next) ? boxes.get(next) : undefined
+    put(id, target === undefined ? box : directlyBefore(target, box))
+  }
+  const ordered = new Map([...scope.boxes.keys()].map(id => [id, boxes.get(id) as Box]))
+  return {boxes: ordered, routes: routesOf(scope, scope, ordered, edges)}
+}
+
+/// The place directly before a node that a slender one leads to.
+const directlyBefore = (next: Box, box: Box): Box => ({
+  ...box,
+  x: Math.max(0, next.x - margin - box.w),
+  y: Math.max(0, next.y + (next.h - box.h) / 2),
+})
 
 /// The place of the node that had the same neighbours and is gone: the node under its former name.
 function renamed(

@@ -10,6 +10,9 @@ export interface ConnectionEnd {
   readonly type: string
 }
 
+/// Type of a memory of which it is not said yet what it remembers.
+export const newMemory = "Memory"
+
 /// Whether a function takes both, or one of two events as it comes.
 export type Joining = "all" | "either"
 
@@ -84,6 +87,15 @@ export function actionOf(connection: Connection, name: string, as: Joining): Net
       }
   }
 }
+
+/// Whether the connection is to or from a new memory.
+export const hasNewMemory = (connection: Connection): boolean => Object.values(connection).includes(newMemory)
+
+/// The connection with a type in the place of a new memory's.
+export const withMemory = <C extends Connection>(connection: C, type: string): C =>
+  Object.fromEntries(
+    Object.entries(connection).map(([part, value]) => [part, value === newMemory ? type : value]),
+  ) as unknown as C
 
 /// A name for what a connection makes, which nothing has yet.
 export function suggestedName(connection: Connection, taken: ReadonlySet<string>): string {

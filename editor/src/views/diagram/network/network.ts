@@ -42,7 +42,7 @@ export interface DiagramNode {
   readonly turns: number | null
   /// Where the program itself says where the values come from or go to.
   readonly topic: TopicName | null
-  /// A command that one function keeps sending while another one does so too.
+  /// A command over which functions are in conflict.
   readonly contested: boolean
   readonly folded: boolean
 }

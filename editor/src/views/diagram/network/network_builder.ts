@@ -27,11 +27,16 @@ type FunctionPart = ProgramPart & {kind: "function"}
 /// Longest label of a node without a name, in characters.
 const longestLabel = 24
 
-/// `textAt` is the program's text at a place; it is the label of functions and steps without a name.
-export function networkOf(parts: readonly ProgramPart[], textAt: (at: Extent) => string): Network {
+/// `textAt` is the program's text at a place; it is the label of functions and steps without a name. `conflicts` are the commands over which functions
+/// that `simulate` runs are in conflict; in tasks, and where that is not known (`null`), those that several functions keep sending count.
+export function networkOf(
+  parts: readonly ProgramPart[],
+  textAt: (at: Extent) => string,
+  conflicts: ReadonlySet<string> | null = null,
+): Network {
   const build = new Builder(textAt, memoryNames({parts}))
   build.scope(null, [], parts)
-  return build.network()
+  return build.network(conflicts)
 }
 
 class Builder {
@@ -50,15 +55,17 @@ class Builder {
     for (const part of parts) this.#part(parent, part, false)
   }
 
-  network(): Network {
+  network(conflicts: ReadonlySet<string> | null): Network {
     const edges = [...this.#edges.values()]
     const senders = (id: string) => edges.filter(e => e.to === id && e.role === "sends")
     const repeats = (e: DiagramEdge) => {
       const trigger = this.#nodes.get(e.from)?.trigger
       return !e.perhaps && (trigger === "state" || trigger === "tick")
     }
+    const isContested = ({id, key, parent}: DiagramNode) =>
+      parent === null && conflicts !== null ? conflicts.has(key) : senders(id).filter(repeats).length > 1
     const nodes = [...this.#nodes.values()].map(node =>
-      node.kind === "command" ? {...node, contested: senders(node.id).filter(repeats).length > 1} : node,
+      node.kind === "command" ? {...node, contested: isContested(node)} : node,
     )
     const commands = new Set(nodes.filter(n => n.kind === "command").map(n => n.id))
     const numbered = edges.map(edge => {

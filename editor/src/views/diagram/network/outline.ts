@@ -22,6 +22,8 @@ export interface OutlineWords {
   readonly goesTo: (all: string) => string
   readonly followedBy: (next: string) => string
   readonly contested: string
+  /// How to see the ways out of a conflict.
+  readonly waysOut: string
   readonly folded: string
   /// It led to the answer that is open.
   readonly inAnswer: string
@@ -67,6 +69,10 @@ export function outlineText(network: Network, words: OutlineWords): string {
 
 const isJoin = ({kind}: DiagramNode) => kind === "either" || kind === "all"
 
+/// Functions that `simulate` runs have ways out of their conflict.
+export const contestedText = ({parent}: DiagramNode, words: OutlineWords): string =>
+  parent === null ? `${words.contested}; ${words.waysOut}` : words.contested
+
 class Reader {
   readonly #words: OutlineWords
   readonly #nodes: ReadonlyMap<string, DiagramNode>
@@ -79,7 +85,7 @@ class Reader {
   }
 
   line(node: DiagramNode): string {
-    const {kinds, charts, times, atStart, contested, folded, onTopic} = this.#words
+    const {kinds, charts, times, atStart, folded, onTopic} = this.#words
     const kind =
       node.kind === "chart" && node.chart !== null
         ? node.turns === null
@@ -92,7 +98,7 @@ class Reader {
             : onTopic(kinds[node.kind], node.topic.name)
     const name = this.#name(node)
     const parts = [name === "" ? kind : `${name}: ${kind}`, ...this.#relations(node)]
-    if (node.contested) parts.push(contested)
+    if (node.contested) parts.push(contestedText(node, this.#words))
     if (node.folded) parts.push(folded)
     return parts.join("; ")
   }

@@ -61,6 +61,7 @@ call scope x = case applied x of
   where
     known =
       [(n, (n, 2)) | n <- ["task", "taskWith", "parallel", "race", "replicateM_", "mapM_", "forM_", "when", "fmap"]]
+        ++ [("priority", ("priority", 3))]
         ++ [(n, (n, 1)) | n <- ["simulate", "once", "forever", "sequence_", "void"]]
         ++ [("parallel_", ("parallel", 2)), ("race_", ("race", 2)), ("replicateM", ("replicateM_", 2)), ("mapM", ("mapM_", 2)), ("traverse_", ("mapM_", 2))]
         ++ [("forM", ("forM_", 2)), ("for_", ("forM_", 2)), ("sequence", ("sequence_", 1)), ("unless", ("when", 2)), ("pure", ("pure", 1)), ("return", ("pure", 1))]

@@ -162,6 +162,8 @@ library here n args = case (n, args) of
   ("task", [start, controller]) -> task [start] [controller]
   ("taskWith", [options, controller]) -> task (field "starting" options) [controller]
   ("once", [start]) -> task [start] []
+  -- Which of both goes first is no part of the network.
+  ("priority", [_, a, b]) -> every here (scopeHere here) [a, b]
   ("parallel", [a, b]) -> chartOf Parallel <$> branches [a, b]
   ("race", [a, b]) -> chartOf Race <$> branches [a, b]
   ("forever", [x]) -> composed here Repeat Nothing <$> only here x
@@ -197,18 +199,19 @@ variable here n args
   | isTask here = (spare here, [StepPart (Text.pack n) (spot here)])
   | otherwise = (spare here, [leaf here n])
 
--- | Whether a definition is a tuple or list, or another name of one.
+-- | Whether a definition is a tuple, a list or a priority, or another name of one.
 isComposite :: Scope -> Definition -> Bool
 isComposite inner d = case bodies d of
   [x] -> isCollection (8 :: Int) x
   _ -> False
   where
     -- The depth ends a recursion.
-    isCollection depth (L _ x) = case x of
+    isCollection depth located@(L _ x) = case x of
       Paren y -> isCollection depth y
       LetIn _ y -> isCollection depth y
       ExplicitTuple {} -> True
       ListOf _ -> True
+      _ | Just ("priority", _) <- call inner located -> True
       HsVar _ (L _ n) | depth > 0, Just other <- Map.lookup (plain n) (definitions inner), null (parameters other), [y] <- bodies other -> isCollection (depth - 1) y
       _ -> False
 
