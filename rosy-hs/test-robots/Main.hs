@@ -9,6 +9,7 @@ import Rosy.Robots.Target (explainTargetError, readTarget)
 import Rosy.Sentence (english)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
+import qualified Test.Robots.Absence
 import qualified Test.Robots.BuiltProgram
 import qualified Test.Robots.Distance
 import qualified Test.Robots.Guard
@@ -39,6 +40,7 @@ suite =
     "robots"
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
+      Test.Robots.Absence.tests,
       Test.Robots.Distance.tests,
       Test.Robots.Target.tests,
       Test.Robots.BuiltProgram.tests,

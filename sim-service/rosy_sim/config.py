@@ -100,6 +100,8 @@ class Config:
     class_database: str | None = None
     # The class that is served; None without class mode.
     class_name: str | None = None
+    # Where the robot of the oldest page is on ROS 2 too.
+    simulator_address: str | None = None
     # HOST or HOST:PORT of other services whose pages may connect to this one: those of a cluster.
     origins: frozenset[str] = frozenset()
     # Addresses of proxies whose `X-Forwarded-For` says who the client is. ROSY_PROXIES, with commas.

@@ -24,7 +24,7 @@ from ..cluster.command import run_cluster_command
 from ..config import Config, discover
 from ..errors import BadInput, OutputFailed, RosyError
 from ..maps.command import make_room
-from ..ownership.robot_configuration import read_nearby_addresses, read_robot_configuration
+from ..ownership.robot_configuration import read_nearby_addresses, read_robot_configuration, read_simulator_address
 from ..programs.program_file import ProgramFile, read_program
 from ..recordings.command import replay_recording
 from ..run.grading import programs_in
@@ -86,6 +86,12 @@ def _command(arguments: Sequence[str] | None) -> int:
         robots = read_robot_configuration(config.robot_executable, named, options.robots)
         config = replace(config, robots=robots, nearby=nearby)
         config = replace(config, class_name=options.class_name, records=not options.no_record)
+        if options.ros2 is not None:
+            if options.class_name is not None or options.public is not None:
+                raise BadInput(
+                    tr("--ros2 is for the robot of one page, your own; it does not go with --class or --public.")
+                )
+            config = replace(config, simulator_address=read_simulator_address(options.ros2))
         if options.public is not None:
             config = with_public_address(config, options.public)
         is_local = options.class_name is None or config.public is not None

@@ -39,6 +39,7 @@ def options_parser() -> argparse.ArgumentParser:
     serve.add_argument("--no-browser", action="store_true")
     serve.add_argument("--runs", type=int)
     serve.add_argument("--robot", action="append", default=[], metavar="NAME=ADDRESS")
+    serve.add_argument("--ros2", nargs="?", const="ros2:", metavar="DOMAIN")
     serve.add_argument("--robots", type=Path, metavar="FILE")
     serve.add_argument("--unprotected", action="store_true")
     serve.add_argument("--no-record", action="store_true")

@@ -1,6 +1,6 @@
 """
 Robot configuration: the robots that pages may drive, from the options ``--robot NAME=ADDRESS`` and ``--robots FILE``,
-and where robots are discovered, from ``--robot ros2:DOMAIN``.
+where robots are discovered, from ``--robot ros2:DOMAIN``, and where the simulated one is on ROS 2, from ``--ros2``.
 """
 
 from __future__ import annotations
@@ -17,7 +17,10 @@ from ..ros2.transports.address import parse_ros2_address
 from ..sentences.sentence import tr, verbatim
 from .driver_locks import canonical_address
 
-__all__ = ["check_address", "read_nearby_addresses", "read_robot_configuration"]
+__all__ = ["check_address", "read_nearby_addresses", "read_robot_configuration", "read_simulator_address"]
+
+_MAX_DOMAIN = 232
+"""Of ROS 2, whose ports are those of UDP (DDSI-RTPS 2.5, 9.6.2.3)."""
 
 _MAX_NAME = 40
 """Characters of a robot's name."""
@@ -92,3 +95,23 @@ def check_address(robot_executable: Path | None, address: str) -> Path:
         # rosy-robot says it in the language of this machine's terminals.
         raise BadInput(verbatim(looked.stderr.strip().removeprefix("rosy: ").rstrip(".") + "."))
     return robot_executable
+
+
+def read_simulator_address(given: str) -> str:
+    """
+    Where the simulated robot is on ROS 2: a domain, or an address such as ``ros2:7/lab``.
+
+    Raises:
+        BadInput: there is no such place, or this computer does not speak ROS 2.
+    """
+    place = parse_ros2_address(given if given.startswith("ros2:") else f"ros2:{given}")
+    if place is None or place.domain > _MAX_DOMAIN or place.options:
+        raise BadInput(
+            tr(
+                "--ros2 takes a domain of ROS 2, 0 to {most}, or an address such as ros2:7/lab; {text} is neither.",
+                most=_MAX_DOMAIN,
+                text=given,
+            )
+        )
+    check_installed("./rosy start --ros2")
+    return place.text()

@@ -16,11 +16,10 @@ import asyncio
 import contextlib
 import json
 import time
-from collections.abc import Callable
+from collections.abc import AsyncIterator, Callable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, Protocol
 
-from websockets.asyncio.server import ServerConnection
 from websockets.exceptions import ConnectionClosed
 
 from ..boot_clock import boot_seconds
@@ -32,7 +31,7 @@ from .transports.graph import Graph, Quality
 from .transports.transport import Reader, Transport, Writer
 from .velocity_watch import REPEAT, STOPPED, TIMEOUT, VELOCITIES, VelocityWatch, as_type, is_moving
 
-__all__ = ["Bridge"]
+__all__ = ["Bridge", "Connection"]
 
 _GRAPH_PERIOD = 0.1
 """Seconds between two looks at what was discovered."""
@@ -72,10 +71,26 @@ class _Advertised:
     watch: VelocityWatch | None = None
 
 
-class Bridge:
-    """One domain; ``run`` keeps it up to date, ``serve`` handles a client."""
+class Connection(Protocol):
+    """Of a client: a WebSocket, or a robot in this process."""
 
-    def __init__(self, transport: Transport, guardian: GuardianProcess) -> None:
+    def __aiter__(self) -> AsyncIterator[str | bytes]:
+        """The frames of the client."""
+
+    async def send(self, frame: str, /) -> None:
+        """A frame for the client."""
+
+    async def close(self, code: int, reason: str, /) -> None:
+        """End it, for a reason."""
+
+
+class Bridge:
+    """
+    One domain; ``run`` keeps it up to date, ``serve`` handles a client. Without a ``guardian`` no client may drive a
+    robot.
+    """
+
+    def __init__(self, transport: Transport, guardian: GuardianProcess | None) -> None:
         self._transport = transport
         self._guardian = guardian
         self._clients: set[_Client] = set()
@@ -94,9 +109,10 @@ class Bridge:
         told: tuple[dict[str, str], dict[str, list[str]]] | None = None
         while True:
             self.check_awake()
-            if self._guardian.has_ended():
-                self._end_drives(_NO_GUARDIAN, "its guardian process has ended")
-            self._guardian.beat()
+            if self._guardian is not None:
+                if self._guardian.has_ended():
+                    self._end_drives(_NO_GUARDIAN, "its guardian process has ended")
+                self._guardian.beat()
             self._beaten = boot_seconds()
             for client in (*self._clients, *self._left):
                 client.stop_when_due(self._beaten)
@@ -110,7 +126,7 @@ class Bridge:
                     on_topics(*topics)
             await asyncio.sleep(_HEARTBEAT)
 
-    async def serve(self, socket: ServerConnection) -> None:
+    async def serve(self, socket: Connection) -> None:
         """Serves one client until it leaves, and then stops the robot that it drives."""
         client = _Client(self, socket)
         self._clients.add(client)
@@ -146,6 +162,7 @@ class Bridge:
 
     async def guard(self, topic: str, kind: str) -> None:
         """Returns when the guardian would stop this topic."""
+        assert self._guardian is not None
         await self._guardian.guard(topic, kind)
 
     def writer(self, topic: str, kind: str, quality: Quality) -> Writer:
@@ -196,7 +213,7 @@ class Bridge:
 
 
 class _Client:
-    def __init__(self, bridge: Bridge, socket: ServerConnection) -> None:
+    def __init__(self, bridge: Bridge, socket: Connection) -> None:
         self._bridge = bridge
         self._socket = socket
         self._advertised: dict[str, _Advertised] = {}

@@ -64,16 +64,19 @@ def bridged(address: str, is_wanted: Callable[[], bool] = lambda: True) -> Itera
         bridge.close()
 
 
-def check_installed() -> None:
+def check_installed(installs: str = "./rosy run --robot ros2:") -> None:
     """
-    Whether this computer speaks ROS 2.
+    Whether this computer speaks ROS 2; ``installs`` is the command that sees to it.
 
     Raises:
         BadInput: it does not.
     """
     if find_spec("cyclonedds") is None or find_spec("zenoh") is None:
         raise BadInput(
-            tr("The part of Rosy that speaks ROS 2 is not installed yet; ./rosy run --robot ros2: installs it.")
+            tr(
+                "The part of Rosy that speaks ROS 2 is not installed yet; {command} installs it.",
+                command=installs,
+            )
         )
 
 

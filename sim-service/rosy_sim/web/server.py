@@ -113,7 +113,7 @@ def serve(
         code = app.state.service.robots.code if config.robots or config.nearby else None
         admission = store.admission() if store else None
         is_shared = is_any or (config.public is not None and admission is not None)
-        greet = _Greeting(address, addresses() if is_shared else None, code, admission).print
+        greet = _Greeting(address, addresses() if is_shared else None, code, admission, config.simulator_address).print
         if announce is not None:
             greet = partial(_announced, announce, bound, admission, address)
         server = _Server(_settings(app, config), greet, open_browser)
@@ -176,10 +176,20 @@ class _Greeting:
     robots_code: str | None
     # Code and key of the class; None without class mode.
     admission: Admission | None
+    # Where the simulated robot is on ROS 2.
+    simulator_address: str | None
 
     def print(self) -> str:
         """Print it; returns the address to open here."""
         _say(tr("Rosy is ready at {address} (Ctrl-C ends it)", address=self.address))
+        if self.simulator_address is not None:
+            _say(
+                tr(
+                    "The robot of the page that you open first is on ROS 2 too, at {address}: "
+                    "it reads /cmd_vel and publishes /odom.",
+                    address=self.simulator_address,
+                )
+            )
         if self.admission is not None:
             return self._print_class(self.admission)
         if self.others:

@@ -36,6 +36,7 @@ from .sockets.lesson_rehearsals import LessonRehearsals
 from .sockets.page_sockets import PageSockets
 from .sockets.projector_sockets import ProjectorSockets
 from .sockets.room_tests import RoomTests
+from .sockets.ros2_robot import Ros2Robot
 from .sockets.ros_sockets import RosSockets
 
 __all__ = ["Service"]
@@ -74,6 +75,8 @@ class Service:
         self.pages = PageSockets(self.budgets.pages, self.loop_scheduler, self._open_session)
         self.sessions = self.pages.sessions
         self.ros_clients = RosSockets(self.sessions, self.loop_scheduler)
+        place = config.simulator_address
+        self.ros2_robot = Ros2Robot(place, self.sessions, self._tell) if place is not None else None
         background = self.budgets.background
         self.room_tests = RoomTests(config, self.sessions, background)
         self.lesson_rehearsals = LessonRehearsals(config, self.sessions, background)
@@ -91,6 +94,8 @@ class Service:
         print(f"rosy: {neutralize_line(in_terminal(sentence))}", file=sys.stderr)
 
     def _open_session(self, ident: str, turns: PageTurns, address: str) -> PageSession:
+        if self.ros2_robot is not None:
+            self.ros2_robot.page_opened()
         return PageSession(
             ident,
             self._run_services,
@@ -115,6 +120,8 @@ class Service:
         """Keep a worker while the application runs."""
         supervision = [asyncio.create_task(self.worker.run())]
         supervision.append(asyncio.create_task(discover_robots(self.config.nearby, self.robots.set_nearby)))
+        if self.ros2_robot is not None:
+            supervision.append(asyncio.create_task(self.ros2_robot.run()))
         if self.classroom is not None:
             supervision.append(asyncio.create_task(self._keep_class(self.classroom)))
         if self.class_sockets is not None:

@@ -1,6 +1,6 @@
 """
-A base on ROS 2 that is not there, with another vendor's DDS: ``rosy-hs/test-robots/peers/fast_dds_base.cpp``, compiled
-once.
+Processes of ROS 2 with another vendor's DDS, compiled once: a base that is not there
+(``rosy-hs/test-robots/peers/fast_dds_base.cpp``), and a program that drives one (``fast_dds_driver.cpp``).
 
 Skips with a reason where a compiler, Fast DDS or Cyclone DDS is not installed.
 """
@@ -19,9 +19,9 @@ from pathlib import Path
 
 import pytest
 
-__all__ = ["compiled_base", "free_domain"]
+__all__ = ["compiled_base", "compiled_driver", "free_domain"]
 
-SOURCE = Path(__file__).resolve().parents[3] / "rosy-hs" / "test-robots" / "peers" / "fast_dds_base.cpp"
+_PEERS = Path(__file__).resolve().parents[3] / "rosy-hs" / "test-robots" / "peers"
 
 _LIBRARIES = ("-lfastrtps", "-lfastcdr", "-lpthread")
 
@@ -30,18 +30,29 @@ _DOMAINS = range(50, 100)
 
 
 def compiled_base() -> str:
-    """Its executable. Tests that run at once share it."""
+    """The executable of the base."""
+    return _compiled(_PEERS / "fast_dds_base.cpp")
+
+
+def compiled_driver() -> str:
+    """The executable of the driver."""
+    return _compiled(_PEERS / "fast_dds_driver.cpp")
+
+
+def _compiled(source: Path) -> str:
+    """Tests that run at once share it."""
     if find_spec("cyclonedds") is None:
         pytest.skip("Cyclone DDS is not installed")
     if shutil.which("g++") is None or not Path("/usr/include/fastdds/dds").is_dir():
         pytest.skip("g++ and libfastrtps-dev are not installed")
-    name = f"rosy-fast-dds-base-{hashlib.sha256(SOURCE.read_bytes()).hexdigest()[:16]}"
+    text = source.read_bytes() + source.with_name("fast_dds.hpp").read_bytes()
+    name = f"rosy-{source.stem}-{hashlib.sha256(text).hexdigest()[:16]}"
     made = Path(tempfile.gettempdir()) / name
     with made.with_suffix(".lock").open("w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
         if not made.exists():
             part = made.with_suffix(".part")
-            subprocess.run(["g++", "-std=c++17", "-O0", str(SOURCE), "-o", str(part), *_LIBRARIES], check=True)
+            subprocess.run(["g++", "-std=c++17", "-O0", str(source), "-o", str(part), *_LIBRARIES], check=True)
             part.rename(made)
     return str(made)
 

@@ -161,7 +161,9 @@ nextBatch run = do
     Nothing -> pure Nothing
     Just (hs, tick) -> do
       t <- now (clock run)
-      ms <- (++) <$> atomicModifyIORef' (early run) ([],) <*> (concat <$> mapM (passes run) hs)
+      arrived <- (++) <$> atomicModifyIORef' (early run) ([],) <*> (concat <$> mapM (passes run) hs)
+      (ms, actions) <- guarding run (freshMessages t arrived)
+      mapM_ (sendCommand (connection run)) actions
       lost <- readIORef (lostSince run)
       forM_ lost $ \(since, why) -> when (t - since > patience run) (throwIO (LinkLost (T.unpack (english why))))
       if null ms && not tick

@@ -29,6 +29,7 @@ module Rosy.Robots.Guard
     arm,
     disarm,
     longestAbsence,
+    freshMessages,
     startRun,
     setWatched,
     setSafetyRules,
@@ -39,7 +40,7 @@ where
 import Data.Maybe (fromMaybe)
 import Rosy.Channel (Action, Message)
 import Rosy.Robot
-import Rosy.Robots.Connection (RobotEvent (..))
+import Rosy.Robots.Connection (RobotEvent (..), withoutEvents)
 import Rosy.Robots.Safety
 
 -- | The fastest that a program may go: m/s and rad/s, and what the wheels can do, if that is documented.
@@ -82,6 +83,8 @@ data Guard = Guard
     origin :: !(Maybe Odometry),
     -- | when the program or its link last did something, seconds; nothing before it has
     activeAt :: !(Maybe Double),
+    -- | until when events are those from before the program or its link came back from an absence, seconds
+    staleUntil :: !Double,
     -- | the latest odometry, as the robot tells it
     odometry :: !(Maybe Odometry),
     -- | since when the robot has been told to drive without a change of its odometry, seconds, and the odometry since then
@@ -91,7 +94,7 @@ data Guard = Guard
   }
 
 newGuard :: Limits -> Bool -> Guard
-newGuard l yes = Guard l yes noHazards 0 (0, 0) False False True True True Nothing Nothing Nothing Nothing False
+newGuard l yes = Guard l yes noHazards 0 (0, 0) False False True True True Nothing Nothing 0 Nothing Nothing False
 
 -- | A robot that was lost drives on as soon as it is back and the program says so.
 withoutRearming :: Guard -> Guard
@@ -122,10 +125,11 @@ longestAbsence = 0.5
 -- | The guard after a time in which nothing was done: frozen, asleep, or with a function that hung. A stop for the robot if that was too long.
 afterAbsence :: Double -> Guard -> ([Action], Guard)
 afterAbsence t g
-  | rearms g && armed g && connected g && not (halted g) && maybe False (\before -> t - before > longestAbsence) (activeAt g) = ([driveAt 0 0], disarm now)
+  | isBack && armed g && connected g && not (halted g) = ([driveAt 0 0], disarm now)
   | otherwise = ([], now)
   where
-    now = g {activeAt = Just t}
+    isBack = rearms g && maybe False (\before -> t - before > longestAbsence) (activeAt g)
+    now = g {activeAt = Just t, staleUntil = if isBack then t + longestAbsence else staleUntil g}
 
 -- | With the commands for the robot after such a time.
 withAbsence :: Double -> (Guard -> ([Action], Guard)) -> Guard -> ([Action], Guard)
@@ -133,6 +137,13 @@ withAbsence t act g = (before ++ actions, after)
   where
     (before, here) = afterAbsence t g
     (actions, after) = act here
+
+-- | The messages of a step for the program, which begins at this time, and commands for the robot. After an absence events do not reach the
+-- program for as long again: what was queued meanwhile, here or by the system, arrives within that, and a stale press is worse than a lost one (rule R10).
+freshMessages :: Double -> [Message] -> Guard -> (([Message], [Action]), Guard)
+freshMessages t ms g = ((if t < staleUntil after then withoutEvents ms else ms, actions), after)
+  where
+    (actions, after) = afterAbsence t g
 
 -- | Whether the safety rules own the wheels.
 isEvading :: Guard -> Bool
@@ -227,7 +238,7 @@ haltWheels g = ([VelocityCommand (Velocity 0 0)], g {halted = True, kept = (0, 0
 
 -- | Another program begins: it starts where the robot is, may drive, and what is pressed is still pressed.
 startRun :: Guard -> Guard
-startRun g = g {halted = False, watched = True, armed = True, kept = (0, 0), ownedUntil = 0, origin = Nothing, activeAt = Nothing, drivenSince = Nothing}
+startRun g = g {halted = False, watched = True, armed = True, kept = (0, 0), ownedUntil = 0, origin = Nothing, activeAt = Nothing, staleUntil = 0, drivenSince = Nothing}
 
 -- | Whether a robot that is told to drive moves, by its odometry: asked at every tick, it answers when that changes. 'False' after a second in
 -- which the program's velocity went to the wheels and the odometry stayed the same.

@@ -197,7 +197,9 @@ steps run@Lockstep {..} n early = do
     Just (since, why) | t - since > patience -> say run stopLine >> ended run n (RobotLost why)
     _ -> do
       some <- atomically (takeEvents connection `orElse` pure [])
-      ms <- (early ++) . concat <$> mapM (passes run) some
+      arrived <- (early ++) . concat <$> mapM (passes run) some
+      (ms, actions) <- guarding run (freshMessages t arrived)
+      mapM_ (sendCommand connection) actions
       since <- readIORef beganAt
       watched <- observes observer
       say run (batchLines (StepQuestions (watched && n `mod` tickSteps == 0) watched) n (t - since) ms)

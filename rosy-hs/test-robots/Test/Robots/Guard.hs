@@ -53,6 +53,20 @@ tests =
          in counterexample (show all') (nub (concat absent) === [VelocityCommand (Velocity 0 0)] .&&. last there === [VelocityCommand (Velocity 0.2 0)]),
       testCase "the longest absence that does not count" $
         toldAt limits' False [(0, drive), (longestAbsence, Ticks)] @?= [[VelocityCommand (Velocity 0.2 0)], [VelocityCommand (Velocity 0.2 0)]],
+      testCase "what was queued in an absence does not reach the program as new, but for states and the robot's status" $ do
+        let press = BumperMessage (Bumper CenterBumper Pressed)
+            states = [OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity 0 0)), RobotStatusMessage Offline]
+            arriving = press : states
+            heardAt g0 times = snd (mapAccumL (\g t -> let ((ms, _), g') = freshMessages t arriving g in (g', ms)) g0 times)
+            again = 0.1 + longestAbsence + 0.1
+            before make = snd (onEvent Connected (make (newGuard limits' False)))
+            fresh = replicate 5 arriving
+        -- The longest that does not count; then one that does, and what the system had queued arrives a little later.
+        heardAt (before id) [0, 0.1, 0.1 + longestAbsence] @?= take 3 fresh
+        heardAt (before id) [0, 0.1, again, again + 0.02, again + longestAbsence] @?= [arriving, arriving, states, states, arriving]
+        heardAt (before withoutRearming) [0, 0.1, again, again + 0.02, again + longestAbsence] @?= fresh,
+      testCase "an absence that a step begins with stops the robot" $
+        snd (fst (freshMessages 1 [] (snd (onTick 0 (snd (onEvent Connected (newGuard limits' False))))))) @?= [VelocityCommand (Velocity 0 0)],
       testCase "a person agrees to an owner that was away" $
         told False [drive, Away, Ticks, drive, Armed, drive] @?= [[VelocityCommand (Velocity 0.2 0)], [], [], [], [], [VelocityCommand (Velocity 0.2 0)]],
       testCase "lets a new run drive a robot that was lost before" $

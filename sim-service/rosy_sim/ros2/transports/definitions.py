@@ -21,6 +21,8 @@ _DEFINITIONS: dict[str, str] = {
     "builtin_interfaces/Duration": "int32 sec\nuint32 nanosec",
     # common_interfaces: the header has no sequence number
     "std_msgs/Header": "builtin_interfaces/Time stamp\nstring frame_id",
+    # geometry2
+    "tf2_msgs/TFMessage": "geometry_msgs/TransformStamped[] transforms",
     "std_srvs/SetBool_Request": "bool data",
     "std_srvs/Trigger_Request": "",
     "std_srvs/Empty_Request": "",

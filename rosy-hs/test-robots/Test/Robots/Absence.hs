@@ -1,0 +1,57 @@
+{-# LANGUAGE OverloadedStrings #-}
+
+-- |
+-- Description : A program on a robot's link that was frozen: what came meanwhile. Time is in the test's hands.
+module Test.Robots.Absence (tests) where
+
+import Control.Concurrent.STM
+import Data.Foldable (for_)
+import Rosy.Channel (Message)
+import Rosy.Link (Batch (..), Link (..), noAnswer)
+import Rosy.Link.Real
+import Rosy.Robot
+import Rosy.Robots.Connection
+import Rosy.Robots.Guard
+import Rosy.Robots.UnreadableMessages (noneUnreadable)
+import Rosy.Sentence (verbatim)
+import Test.Tasty
+import Test.Tasty.HUnit
+
+tests :: TestTree
+tests =
+  testGroup
+    "a program that was frozen"
+    [ testCase "does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
+      testCase "hears everything where it was away for a moment only" (afterFreeze longestAbsence @?>= [press, position])
+    ]
+  where
+    act @?>= expected = act >>= (@?= expected)
+
+press, position :: Message
+press = BumperMessage (Bumper CenterBumper Pressed)
+position = OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity 0 0))
+
+-- | What a program hears after so many seconds in which it did nothing, and its link queued a press and a position.
+afterFreeze :: Double -> IO [Message]
+afterFreeze seconds = do
+  time <- newTVarIO 0
+  due <- newTVarIO False
+  queued <- newTVarIO [Connected]
+  control <- newRunControl (newGuard (Limits 0.7 pi Nothing) False)
+  let robot =
+        Connection
+          { connectionName = verbatim "here",
+            connectionRoutes = [],
+            registerTopics = const (pure []),
+            sendCommand = const (pure ()),
+            takeEvents = swapTVar queued [] >>= \events -> events <$ check (not (null events)),
+            unreadableMessages = pure noneUnreadable,
+            velocityTopic = pure Nothing
+          }
+  link <- realLink (Clock (readTVarIO time) (pure 0) due) 10 control robot
+  _ <- open link []
+  atomically (writeTVar due True)
+  step <- next link
+  for_ step (const (answer link noAnswer))
+  atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
+  maybe [] batchMessages <$> next link
