@@ -76,8 +76,6 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
         ),
         # Builds what is not built, so that the suite can also be run alone.
         Suite("haskell", [PYTHON, "scripts/testing/haskell.py"], tasty_summary, cores=0.5, after=built),
-        # Only so that the two before it, which take longer, start first.
-        replace(vitest("editor"), after=built),
         # A finger that rests opens a menu, so a drag by touch needs a machine that is not fully busy.
         Suite(
             "browsers",
@@ -86,6 +84,10 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
             report=short,
             after=frozenset({"e2e"}),
         ),
+        # Only so that those before it start first.
+        replace(vitest("editor"), after=built),
+        # Beside what is left of the Python tests, not after them: it waits for about half of its time, and none of its times is judged.
+        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, cores=0.5, after=frozenset({"haskell", "browsers"})),
         replace(vitest("codegen", background=True), after=built),
         # Not before the suite above, which takes longer.
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "-rfEs", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),
@@ -102,7 +104,5 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
         check("lint-py", PYTHON, "-m", "ruff", "check", "sim-service", "scripts"),
         check("shell", "shellcheck", "-x", *SHELL_SCRIPTS),
         Suite("borders", [PYTHON, "scripts/borders.py"], own_script, prints=False, background=True),
-        # The build may still change the library.
-        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, after=frozenset({"haskell"})),
     ]
     return [replace(suite, limit=math.inf if nightly else SUITE_LIMIT) for suite in listed]

@@ -8,6 +8,7 @@ import threading
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any
 
@@ -97,6 +98,19 @@ def config(tmp_path: Path, limits: Limits) -> Config:
     )
 
 
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Long tests start first: a process that gets one last keeps the others waiting."""
-    items.sort(key=lambda item: item.get_closest_marker("long") is None)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Long tests start first in each process: a process that gets one last keeps the others waiting."""
+    items[:] = long_first(items, getattr(config, "workerinput", {}).get("workercount", 1))
+
+
+def long_first(items: list[pytest.Item], processes: int) -> list[pytest.Item]:
+    """The tests as equal shares, as pytest-xdist deals them out; each share begins with its part of the long tests."""
+    long = [item for item in items if item.get_closest_marker("long") is not None]
+    others = iter([item for item in items if item.get_closest_marker("long") is None])
+    ordered: list[pytest.Item] = []
+    for process in range(processes):
+        # The first shares are the smaller ones where the number cannot be divided.
+        share = (len(items) - len(ordered)) // (processes - process)
+        mine = long[process::processes]
+        ordered += [*mine, *islice(others, max(0, share - len(mine)))]
+    return [*ordered, *others]

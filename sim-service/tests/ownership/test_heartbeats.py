@@ -25,6 +25,8 @@ def test_heartbeats_that_waited_say_the_time_from_which_they_are() -> None:
         times.append(heartbeats.time_of(seen))
         heartbeats.next()
     assert set(times) <= {10.0, None}
+    # Five seconds of them are kept and no more.
+    assert (heartbeats.time_of(seen), heartbeats.time_of(seen + 80)) == (None, 18.0)
 
 
 def test_numbers_that_were_never_sent_do_not_count() -> None:

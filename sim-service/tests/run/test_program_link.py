@@ -119,6 +119,16 @@ def test_a_program_that_says_nothing_is_not_waited_for_longer_than_the_limit(mai
             link.receive()
 
 
+def test_a_program_that_reads_nothing_keeps_nobody_writing_longer_than_the_limit() -> None:
+    ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+    with ours, theirs:
+        link = ProgramLink(ours)
+        link.limit_waiting(0.05)
+        # More than the kernel keeps for a socket that is not read.
+        with pytest.raises(BlockingIOError):
+            link.send_batch(bytes(50_000_000))
+
+
 def test_what_a_program_leaves_before_it_ends_is_read_first(mailbox: Mailbox) -> None:
     def last(batch: bytes) -> bytes:
         if batch == b"second":

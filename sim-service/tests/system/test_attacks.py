@@ -51,6 +51,12 @@ PREPARING = 10.0
 ALL = 4 * HANG
 """How long a program waits to be compiled, s: one whose work takes long comes after all others."""
 
+COMPILING = 1
+"""Limit of a check and of a compilation, s of processor time: compile bombs reach it in each column."""
+
+LOOK = 0.05
+"""Between two looks at all processes, s: each costs milliseconds of processor time."""
+
 PAGES = 100
 """How many programs run at once: an address has a limited number of pages."""
 
@@ -126,7 +132,7 @@ def target() -> Iterator[Target]:
 
 def read_robot_configuration(column: Column) -> Config:
     config = discover().with_limits(column.limits)
-    worker = (*config.worker, "--check-seconds", "2", "--run-seconds", "2", *column.off)
+    worker = (*config.worker, "--check-seconds", str(COMPILING), "--run-seconds", "2", *column.off)
     return replace(config, worker=worker, sandbox=column.sandbox)
 
 
@@ -168,7 +174,7 @@ async def run_prepared(page: Page, source: str, runs: WatchedRuns) -> bool:
             with contextlib.suppress(TimeoutError):
                 async with asyncio.timeout(PREPARING):
                     while not waiting_children() - before:
-                        await asyncio.sleep(0.01)
+                        await asyncio.sleep(LOOK)
                     waits = True
         await page.send("run", run=1, source=source, speed=1, seed=1)
         async with asyncio.timeout(HANG):
@@ -247,7 +253,7 @@ async def attack(column: Column, programs: dict[str, str], aimed: Target) -> dic
         # Nothing is left, and no other page noticed.
         async with asyncio.timeout(HANG):
             while service.budgets.runs.running or not children(before):
-                await asyncio.sleep(0.01)
+                await asyncio.sleep(LOOK)
         await bystander.send("check", id=1, source="main = pure ()\n")
         assert (await bystander.op("checked"))["problems"] == []
     return outcomes
