@@ -51,7 +51,7 @@ PREPARING = 10.0
 ALL = 4 * HANG
 """How long a program waits to be compiled, s: one whose work takes long comes after all others."""
 
-COMPILING = 1
+COMPILING = 2
 """Limit of a check and of a compilation, s of processor time: compile bombs reach it in each column."""
 
 LOOK = 0.05
