@@ -51,7 +51,7 @@ test("a definition that goes on behind a condition of the preprocessor stays tex
     ["g", undefined],
   ])
   const [whole] = reader.read(text).pieces.filter(piece => piece.kind === "declaration")
-  expect(whole?.slice).toMatch(/^f n = g n\n#if[^]*\n {4}3\n+$/)
+  expect(whole?.slice).toMatch(/^f n = g n\n#if[\s\S]*\n {4}3\n+$/)
 })
 
 test("the end of the last condition belongs to the definition that it interrupts, and the next condition to none", () => {
