@@ -24,6 +24,12 @@ function place(workspace: SavedWorkspace): Place {
 
 const number: SavedBlock = {type: "number", id: "new", extraState: {value: "0.5"}}
 const named = (name: string): SavedBlock => ({type: "name", id: "new", extraState: {name}})
+const gOfShade: SavedBlock = {
+  type: "name",
+  id: "new",
+  extraState: {name: "g", args: 1},
+  inputs: {A0: {block: {...named("shade"), id: "two"}}},
+}
 
 /// The sentence about a block in place of 42, also when all other definitions are remembered; "refused" where it does not fit.
 function said(text: string, block: SavedBlock): string | undefined {
@@ -111,6 +117,24 @@ describe("only GHC knows, and the blocks name the cause", () => {
       /types here|`x`/,
     ],
     [
+      "a type of a module may be another name for the type that is wanted",
+      `${imported}f :: Colour -> Int\nf c = 42\n`,
+      named("c"),
+      /type of `Colour`/,
+    ],
+    [
+      "the block makes an imported type and a known one the same elsewhere in the definition",
+      `${imported}f :: Colour -> String -> Bool\nf c t = g t 42\n  where\n    g x y = x == y\n`,
+      named("c"),
+      /type of `Colour`|types here/,
+    ],
+    [
+      "a local name of another definition may be a name of a module as well",
+      "import Some.Module\ng :: Int -> Int\ng n = n + 1\nf :: Int\nf = 42\nh shade = shade\n",
+      gOfShade,
+      /type of `shade`/,
+    ],
+    [
       "an annotation beyond inference",
       "{-# LANGUAGE RankNTypes #-}\nf :: Int\nf = (42 :: forall a. Num a => a)\n",
       number,
@@ -134,6 +158,16 @@ describe("the blocks promise that it compiles", () => {
       "what an imported function gives has a known type here",
       "import Some.Module (blend)\nhalf :: Double -> Double\nhalf x = x / 2\nf = blend (half 42)\n",
       number,
+    ],
+    [
+      "a name of a module that is not read stands in the block, and only there",
+      "import Some.Module\ng :: Int -> Int\ng n = n + 1\nf :: Int\nf = 42\n",
+      gOfShade,
+    ],
+    [
+      "an imported type where that type is wanted",
+      "import Some.Module (Colour)\nf :: Colour -> Colour\nf c = 42\n",
+      named("c"),
     ],
     [
       "the class has a written instance",

@@ -21,7 +21,7 @@ export interface Item extends Range {
   /// It defines a type: `data`, `newtype`, `type`.
   readonly type: boolean
   /// Why it was not taken apart, if so.
-  readonly trouble?: "braces" | undefined
+  readonly trouble?: "braces" | "directive" | undefined
 }
 
 export interface Lexed {
@@ -42,8 +42,14 @@ interface LayoutToken extends Range {
   readonly column: number
 }
 
-/// A token with its place in the layout. Of brackets and other characters that are no Haskell words each one is a token.
-function scan(text: string): {
+/// The start of a quotation: `[sql|`, `[d|`, `[|` or `[||`. It ends at the next `|]`. GHC User's Guide, "Template Haskell quasi-quotation".
+const quotation = /\[(?:(?:\p{Lu}[\p{L}\p{N}_']*\.)*[\p{Ll}_][\p{L}\p{N}_']*)?\|/uy
+
+/// A token with its place in the layout. Of brackets and other characters that are no Haskell words each one is a token, and so is a quotation.
+function scan(
+  text: string,
+  hasQuotations: boolean,
+): {
   tokens: LayoutToken[]
   comments: Comment[]
   dashed: Range[]
@@ -75,9 +81,20 @@ function scan(text: string): {
     if (kind === "word" || kind === "symbol") at = end
     else passLines(end)
   }
+  /// The end of the quotation that starts here; undefined for none, also for one without an end.
+  const endOfQuotation = (): number | undefined => {
+    quotation.lastIndex = at
+    const end = hasQuotations && quotation.test(text) ? text.indexOf("|]", quotation.lastIndex) : -1
+    return end < 0 ? undefined : end + 2
+  }
   const addBetween = (to: number): void => {
     while (at < to) {
       const c = text[at] ?? ""
+      const end = c === "[" ? endOfQuotation() : undefined
+      if (end !== undefined) {
+        add("string", end)
+        continue
+      }
       if (c === "\n") {
         at++
         lineStart = at
@@ -89,6 +106,8 @@ function scan(text: string): {
   for (let token = tokenAt(text, at); token !== null; token = tokenAt(text, at)) {
     addBetween(token.start)
     const {kind, start, end} = token
+    // The token stands in a quotation.
+    if (at > start) continue
     if (kind === "comment") {
       if (text[start] === "-") comments.push({kind: "line", start, end: beforeReturn(text, end)})
       else if (isClosed(text, token)) comments.push({kind: "block", start, end})
@@ -142,10 +161,17 @@ function columnOf(text: string, lineStart: number, at: number): number {
 const continues = new Set([")", "]", "}", ",", ";", "=", "|", "->", "then", "else", "of", "in", "where"])
 
 /// The top-level items of a file, and its comments. `marginAbove` is the margin of the file when `text` is what follows some of its definitions.
-/// `hasUnicodeSyntax`: `∷` stands between a name and its type, too.
-export function lex(text: string, marginAbove?: number, hasUnicodeSyntax = isUnicodeSyntaxOn(text)): Lexed {
-  const {tokens, comments, dashed, isEveryCommentClosed} = scan(text)
+/// `hasUnicodeSyntax`: `∷` stands between a name and its type, too. `hasQuotations`: what stands between `[name|` and `|]` is no Haskell.
+export function lex(
+  text: string,
+  marginAbove?: number,
+  hasUnicodeSyntax = isUnicodeSyntaxOn(text),
+  hasQuotations = areQuotationsOn(text),
+): Lexed {
+  const {tokens, comments, dashed, isEveryCommentClosed} = scan(text, hasQuotations)
   const items: Item[] = []
+  // Items that stand deeper than the margin behind a directive: they belong to a definition above it.
+  const continuations = new Set<number>()
   let margin = marginAbove
   let open: {start: number; kind: ItemKind; tokens: LayoutToken[]} | undefined
   // Inside `module … where` nothing starts an item.
@@ -205,6 +231,8 @@ export function lex(text: string, marginAbove?: number, hasUnicodeSyntax = isUni
       continue
     }
     close()
+    if (t.firstOnLine && t.column > (margin ?? t.column) && items.at(-1)?.kind === "directive")
+      continuations.add(items.length)
     const kind: ItemKind =
       t.kind === "pragma" || t.kind === "directive"
         ? t.kind
@@ -217,7 +245,43 @@ export function lex(text: string, marginAbove?: number, hasUnicodeSyntax = isUni
     if (standing && (tokens[i + 1]?.firstOnLine ?? true)) close()
   }
   close()
-  return {items, comments, dashed, margin, isClosed: isEveryCommentClosed}
+  return {
+    items: withContinuations(text, items, continuations),
+    comments,
+    dashed,
+    margin,
+    isClosed: isEveryCommentClosed,
+  }
+}
+
+/// The items with each definition that goes on behind directives as one, with these.
+function withContinuations(
+  text: string,
+  items: readonly Item[],
+  continuations: ReadonlySet<number>,
+): readonly Item[] {
+  if (continuations.size === 0) return items
+  const joined: Item[] = []
+  for (const [i, item] of items.entries()) {
+    const at = continuations.has(i)
+      ? joined.findLastIndex(other => other.kind !== "directive")
+      : joined.length - 1
+    const owner = joined[at]
+    const joins =
+      owner?.kind === "declaration" &&
+      (continuations.has(i) ||
+        (item.kind === "directive" &&
+          owner.trouble === "directive" &&
+          openConditions(text.slice(owner.start, owner.end)) > 0))
+    if (joins) joined.splice(at, joined.length - at, {...owner, end: item.end, trouble: "directive"})
+    else joined.push(item)
+  }
+  return joined
+}
+
+/// How many conditions of the preprocessor begin in a text and do not end in it.
+function openConditions(text: string): number {
+  return (text.match(/^#\s*if/gm)?.length ?? 0) - (text.match(/^#\s*endif/gm)?.length ?? 0)
 }
 
 const keywords = new Set(
@@ -257,6 +321,16 @@ function wordOf(text: string, token: LayoutToken | undefined, hasUnicodeSyntax: 
 /// Whether a text switches on the extension UnicodeSyntax.
 export function isUnicodeSyntaxOn(text: string): boolean {
   return text.includes("UnicodeSyntax") && /\{-#\s*LANGUAGE\b[^#]*\bUnicodeSyntax\b/i.test(text)
+}
+
+/// Whether a text switches on an extension with quotations.
+export function areQuotationsOn(text: string): boolean {
+  return /\{-#\s*LANGUAGE\b[^#]*\b(?:QuasiQuotes|TemplateHaskell(?:Quotes)?)\b/i.test(text)
+}
+
+/// Whether a text has lines of the C preprocessor that choose among others.
+export function hasConditions(text: string): boolean {
+  return /^#\s*(?:if|el|endif)/m.test(text)
 }
 
 /// The operator between the patterns of an equation, before its `=` or `|`; in `(f <+> g) x = …` it stands in brackets.

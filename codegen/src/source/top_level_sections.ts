@@ -62,7 +62,9 @@ export function partsOf(text: string, {items, comments, dashed}: Lexed): Part[] 
         : undefined,
       dashed: dashed.filter(d => d.start >= core.start && d.end <= core.end),
       column: /^ *$/.test(text.slice(lineStart, core.start)) ? core.start - lineStart : 0,
-      trouble: first.trouble ?? (first.kind === "declaration" ? undefined : "directive"),
+      trouble:
+        group.find(item => item.trouble !== undefined)?.trouble ??
+        (first.kind === "declaration" ? undefined : "directive"),
     })
   }
   if (end < text.length || parts.length === 0) {

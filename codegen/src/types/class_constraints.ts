@@ -53,13 +53,15 @@ export function undecided(types: readonly Type[], found: Set<Meta> = new Set()):
 
 /// Decides unknown number types as Haskell does; complains about what nothing decides. (Haskell 2010 report §4.3.4)
 function applyDefaults(s: InferenceState, constraints: readonly Wanted[], constants: boolean): void {
-  const holes = undecided(s.holes, undecided(s.improvable))
   const groups = new Map<Meta, Wanted[]>()
   for (const c of constraints) {
     const [first] = metasIn(c.type)
     if (first === undefined || c.name === "Ends") continue
     groups.set(first, [...(groups.get(first) ?? []), c])
   }
+  // All unknown types of the program are gone through only where there is something to decide.
+  if (groups.size === 0) return
+  const holes = undecided(s.holes, undecided(s.improvable))
   for (const [meta, group] of groups) {
     if (meta.is !== undefined) continue
     const numeric = group.some(c => numberClasses.has(c.name)) && group.every(c => prune(c.type) === meta)

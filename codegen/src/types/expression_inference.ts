@@ -130,8 +130,10 @@ function inferApplication(
         head.kind === "meta" && head.isForeign === true ? {...freshMeta(s), isForeign: true} : freshMeta(s)
       f = {from: part(), to: part()}
       const clash = unify(result, fun(f.from, f.to))
-      if (clash?.isUnread === true) s.holes.push(f.from, f.to)
-      else if (clash !== undefined) {
+      if (clash?.isUnread === true) {
+        s.unreadClashes.push(clash)
+        s.holes.push(f.from, f.to)
+      } else if (clash !== undefined) {
         const isOfVariable = prune(clash.left).kind === "var"
         s.problems.push({kind: "too-many-arguments", node, type: fn, isOfVariable})
       }

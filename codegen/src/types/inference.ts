@@ -62,6 +62,8 @@ export function createInference(
     holes: [],
     foreignNames: new Map(),
     sockets: new Set(),
+    unreadClashes: [],
+    undefinedNames: new Map(),
     improvable: [],
     wanted: [],
     pending: [],

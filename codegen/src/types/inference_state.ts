@@ -6,6 +6,7 @@
 import type {Declaration, Expr, Node, Origin} from "../model/syntax_tree.ts"
 import type {BlockId} from "../serialized_blocks.ts"
 import type {Environment} from "./environment/environment.ts"
+import type {Clash} from "./environment/unification.ts"
 import type {InferredGroup} from "./inference_cache.ts"
 import type {Scope} from "./syntax/scope.ts"
 import type {Meta, Scheme, Type} from "./syntax/type.ts"
@@ -24,6 +25,10 @@ export interface InferenceState {
   readonly foreignNames: Map<Type, string>
   /// Those of `holes` that are empty sockets.
   readonly sockets: Set<Type>
+  /// Parts of types that became one although they differ: only GHC knows what a name in one of them stands for.
+  readonly unreadClashes: Clash[]
+  /// Names that nothing in scope defines, by their place: a module that is not read may have them.
+  readonly undefinedNames: Map<Node, string>
   /// Types in constraints of classes that only GHC knows: which they are may follow from an instance.
   readonly improvable: Type[]
   wanted: Wanted[]

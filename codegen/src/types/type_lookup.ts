@@ -127,7 +127,13 @@ export function typeOfName(s: InferenceState, name: string, node: Node, scope: S
     s.strays.set(name, stray)
     return stray
   }
-  if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
+  return typeOfUndefinedName(s, name, node)
+}
+
+/// The type of a name that nothing in scope defines.
+function typeOfUndefinedName(s: InferenceState, name: string, node: Node): Type {
+  if (isPossiblyImported(s, name)) s.undefinedNames.set(node, name)
+  else s.problems.push({kind: "unknown-name", node, name})
   return unknownType(s, name)
 }
 
@@ -154,9 +160,7 @@ export function typeOfConstructor(s: InferenceState, name: string, node: Node): 
     return funs(items, tupleOf(items))
   }
   const info = s.env.constructors.get(name)
-  if (info !== undefined) return instantiate(s, info.scheme, node)
-  if (!isPossiblyImported(s, name)) s.problems.push({kind: "unknown-name", node, name})
-  return unknownType(s, name)
+  return info === undefined ? typeOfUndefinedName(s, name, node) : instantiate(s, info.scheme, node)
 }
 
 /// The name that an expression or pattern stands for.
@@ -202,6 +206,7 @@ export function unifyAt(s: InferenceState, wanted: Type, found: Type, node: Node
   const clash = unify(wanted, found)
   if (clash === undefined) return
   if (clash.isUnread) {
+    s.unreadClashes.push(clash)
     s.holes.push(wanted, found)
     return
   }

@@ -19,7 +19,7 @@ import {nodeOf} from "../state/runs/run_tree.ts"
 import {type Effect, still, type Transition, unreachable} from "../state/transition.ts"
 import {refusedSockets} from "../state/visible_findings.ts"
 import type {Request} from "../wire/page/page.generated.ts"
-import {check} from "./document_reducer.ts"
+import {check, withoutRegrouping} from "./document_reducer.ts"
 import {beginReplay, endReplay} from "./recording_reducer.ts"
 import {explain, withLessons} from "./request_reducer.ts"
 import {observeMessage, runMessage} from "./run_reducer.ts"
@@ -84,7 +84,7 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
       // The request has its answer; nothing on the page depends on it.
       return still(state)
     case "checked":
-      return still(withCheck(state, message))
+      return withCheck(state, message)
     case "state":
       return still(withRunState(state, message))
     case "frame":
@@ -161,12 +161,14 @@ function greet(state: PageState, {session}: Message<"hello">): Transition {
 }
 
 /// The compiler's answer about the newest text; an answer about an older one changes nothing.
-function withCheck(state: PageState, message: Message<"checked">): PageState {
-  if (message.id !== state.checks) return state
+function withCheck(state: PageState, message: Message<"checked">): Transition {
+  if (message.id !== state.checks) return still(state)
   const {program} = state.document
+  const back = withoutRegrouping(state, message.types)
+  if (back !== null) return back
   const compiler = message.problems.map(p => locateProblem(program, p, "compiler"))
   const accepted = !compiler.some(f => f.severity === "error")
-  return {
+  return still({
     ...state,
     declared: message.declarations,
     types: {...message.types, text: program.text},
@@ -175,7 +177,7 @@ function withCheck(state: PageState, message: Message<"checked">): PageState {
     topics: accepted || message.topics.length > 0 ? message.topics : state.topics,
     findings: {...state.findings, compiler},
     accepted,
-  }
+  })
 }
 
 function withRunState(state: PageState, message: Message<"state">): PageState {

@@ -106,6 +106,8 @@ export type Notice =
   | {readonly kind: "not-formatted"; readonly left: number}
   /// An edit of blocks was taken back: the text of these definitions, read again, would not be the tree of their blocks.
   | {readonly kind: "other-meaning"; readonly names: readonly string[]}
+  /// An edit of blocks was taken back: the compiler groups the new text of these definitions in another way than the blocks.
+  | {readonly kind: "grouped-otherwise"; readonly names: readonly string[]}
   /// An edit of blocks would have lost what is unfinished in the text of these definitions.
   | {readonly kind: "unfinished-text"; readonly names: readonly string[]}
   /// Two tabs changed the same program; this tab's version is stored as the copy.

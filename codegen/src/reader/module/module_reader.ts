@@ -15,7 +15,7 @@ import {extensionsIn} from "../../source/directives.ts"
 import type {Range} from "../../source/lexer.ts"
 import {nestingDepth} from "../../source/nesting_depth.ts"
 import type {Comment, Lexed} from "../../source/top_level_items.ts"
-import {isUnicodeSyntaxOn, lex} from "../../source/top_level_items.ts"
+import {areQuotationsOn, hasConditions, isUnicodeSyntaxOn, lex} from "../../source/top_level_items.ts"
 import type {Part} from "../../source/top_level_sections.ts"
 import {partsOf} from "../../source/top_level_sections.ts"
 import type {Dialect} from "../conversion/conversion_context.ts"
@@ -83,6 +83,8 @@ export class Reader {
   /// The reading of a text that differs from the last one in a few definitions; undefined where all must be read.
   private readChange(last: Reading, text: string): Reading | undefined {
     if (text === last.module.text) return last
+    // A quotation or a condition of the preprocessor may reach over several pieces.
+    if (areQuotationsOn(text) || hasConditions(text)) return undefined
     const change = changedPieces(last, text)
     if (change === undefined) return undefined
     const window = text.slice(change.start, change.end)

@@ -63,8 +63,14 @@ function isUnread(type: Type): boolean {
 
 /// Whether a type has a part whose meaning was not read.
 export function hasUnreadPart(type: Type): boolean {
+  return unreadNameIn(type) !== undefined
+}
+
+/// The first name in a type whose meaning was not read.
+export function unreadNameIn(type: Type): string | undefined {
   const t = prune(type)
-  return isUnread(t) || (t.kind === "app" && (hasUnreadPart(t.fn) || hasUnreadPart(t.arg)))
+  if (t.kind === "con") return isUnread(t) ? t.name : undefined
+  return t.kind === "app" ? (unreadNameIn(t.fn) ?? unreadNameIn(t.arg)) : undefined
 }
 
 /// Occurs check, level adjustment and measure in one walk. A rigid variable cannot get into a type from outside its signature.

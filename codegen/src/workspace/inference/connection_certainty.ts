@@ -4,11 +4,15 @@
 /// wrong: that is the drop checker's part.
 
 import {readWorkspace} from "../../blocks/block_reader.ts"
+import {everyNode} from "../../model/child_nodes.ts"
+import type {Node} from "../../model/syntax_tree.ts"
 import type {BlockId, SavedWorkspace} from "../../serialized_blocks.ts"
+import type {Clash} from "../../types/environment/unification.ts"
+import {unreadNameIn} from "../../types/environment/unification.ts"
 import type {Constraint} from "../../types/syntax/type.ts"
 import {namesIn, openEndsIn, showType} from "../../types/syntax/type.ts"
 import type {InferenceSession} from "./inference_session.ts"
-import {inferModel} from "./workspace_inference.ts"
+import {everyBlock, everyBlockIn, inferModel} from "./workspace_inference.ts"
 
 export type Doubt =
   /// The block or its place has a type that only GHC knows: of a name of a module that is not read, or of text beyond the blocks.
@@ -40,11 +44,38 @@ export function doubtAbout(
   if (named !== undefined) return {kind: "type", name: foreignNames.get(named)}
   for (const name of namesIn(types.own, namesIn(types.wanted)))
     if (hasSeveralSpellings(name, connected)) return {kind: "type", name}
-  const {assumed} = session.inferWorkspace(connected, {watch: {block}}).inference.env
+  const local = localNameElsewhere(connected, block, inference.undefinedNames)
+  if (local !== undefined) return {kind: "type", name: local}
+  const {unreadClashes, env} = session.inferWorkspace(connected, {watch: {block}}).inference
+  const written = ({left, right}: Clash) => `${showType(left)} ~ ${showType(right)}`
+  const clashesBefore = new Set(inference.unreadClashes.map(written))
+  const clash = unreadClashes.find(c => !clashesBefore.has(written(c)))
+  if (clash !== undefined) return {kind: "type", name: unreadNameIn(clash.left) ?? unreadNameIn(clash.right)}
   const shown = ({name, type}: Constraint) => `${name} ${showType(type)}`
   const before = new Set(inference.env.assumed.map(shown))
-  const constraint = assumed.find(c => !before.has(shown(c)))
+  const constraint = env.assumed.find(c => !before.has(shown(c)))
   return constraint === undefined ? undefined : {kind: "class", constraint}
+}
+
+/// A name in the block that a definition elsewhere binds for itself, and a module that is not read may have as well.
+function localNameElsewhere(
+  connected: SavedWorkspace,
+  block: BlockId,
+  undefinedNames: ReadonlyMap<Node, string>,
+): string | undefined {
+  if (undefinedNames.size === 0) return undefined
+  const moved = [...everyBlock(connected)].find(b => b.id === block)
+  const ids = new Set(moved === undefined ? [] : [...everyBlockIn(moved)].map(b => b.id))
+  const own = [...undefinedNames].filter(([node]) => "from" in node && ids.has(node.from?.block))
+  if (own.length === 0) return undefined
+  const bound = new Set(
+    readWorkspace(connected).program.declarations.flatMap(d =>
+      [...everyNode(d)].flatMap(node =>
+        node.kind === "name-pattern" || node.kind === "function" ? node.name : [],
+      ),
+    ),
+  )
+  return own.map(([, name]) => name).find(name => bound.has(name))
 }
 
 /// Whether a program writes a type both as `T.Text` and as `L.Text`, or as `Text`: these may be two types, or one.

@@ -438,6 +438,10 @@ export const page: Omit<
         `Der Haskell-Text von ${name} kann diese Änderung an den Blöcken nicht genau sagen. Sie wurde nicht gemacht.`,
       hint: "Mache die Änderung im Haskell-Text, oder baue diese Stelle anders.",
     },
+    groupedOtherwise: {
+      message: name =>
+        `Der Compiler fasst den Haskell-Text von ${name} anders zusammen als die Blöcke. Die letzte Änderung an den Blöcken wurde zurückgenommen.`,
+    },
     unfinishedText: {
       message: name =>
         `Im Haskell-Text noch nicht fertig: ${name}. Diese Änderung an den Blöcken wurde nicht gemacht.`,

@@ -440,6 +440,10 @@ export const page = {
         `The Haskell text of ${name} cannot say this change of the blocks exactly. The change was not made.`,
       hint: "Make the change in the Haskell text, or build this place in another way.",
     },
+    groupedOtherwise: {
+      message: (name: string) =>
+        `The compiler groups the Haskell text of ${name} differently from the blocks. The last change of the blocks was taken back.`,
+    },
     unfinishedText: {
       message: (name: string) =>
         `Not finished in the Haskell text: ${name}. This change of the blocks was not made.`,

@@ -448,6 +448,10 @@ export const page: Omit<
         `El texto Haskell de ${name} no puede decir exactamente este cambio de los bloques. El cambio no se ha hecho.`,
       hint: "Haz el cambio en el texto Haskell o construye este lugar de otra manera.",
     },
+    groupedOtherwise: {
+      message: name =>
+        `El compilador no agrupa el texto Haskell de ${name} como los bloques. Se ha deshecho el último cambio de los bloques.`,
+    },
     unfinishedText: {
       message: name =>
         `Todavía no está completo en el texto Haskell: ${name}. Este cambio de los bloques no se ha hecho.`,

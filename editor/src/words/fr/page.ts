@@ -449,6 +449,10 @@ export const page: Omit<
         `Le texte Haskell de ${name} ne peut pas dire exactement ce changement des blocs. Il n'a pas été fait.`,
       hint: "Fais le changement dans le texte Haskell, ou construis cet endroit autrement.",
     },
+    groupedOtherwise: {
+      message: name =>
+        `Le compilateur ne regroupe pas le texte Haskell de ${name} comme les blocs. Le dernier changement des blocs a été annulé.`,
+    },
     unfinishedText: {
       message: name =>
         `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n'a pas été fait.`,

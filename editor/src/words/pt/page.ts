@@ -440,6 +440,10 @@ export const page: Omit<
         `O texto Haskell de ${name} não consegue dizer exatamente esta mudança nos blocos. A mudança não foi feita.`,
       hint: "Faça a mudança no texto Haskell ou monte este lugar de outro jeito.",
     },
+    groupedOtherwise: {
+      message: name =>
+        `O compilador não agrupa o texto Haskell de ${name} como os blocos. A última mudança nos blocos foi desfeita.`,
+    },
     unfinishedText: {
       message: name =>
         `Ainda não está completo no texto Haskell: ${name}. Esta mudança nos blocos não foi feita.`,
