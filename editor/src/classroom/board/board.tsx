@@ -32,11 +32,11 @@ import {RosterTool} from "./board_roster.tsx"
 import {SendTool} from "./board_send.tsx"
 import {board, change, rooms} from "./board_state.ts"
 import {HandIns, TaskTool} from "./board_tasks.tsx"
-import {ProjectorTool} from "./projector_tool.tsx"
 import {Pupils, PupilsInNeed} from "./pupil_cards.tsx"
 import {PupilOverview} from "./pupil_overview.tsx"
 import {ShownProgramDialog} from "./shown_program.tsx"
-import {StudyTool} from "./study_tool.tsx"
+import {ProjectorTool} from "./tools/projector_tool.tsx"
+import {StudyTool} from "./tools/study_tool.tsx"
 
 /// Storage key: the board was an overview when it was shown last.
 const overviewKey = "rosy.board.overview"

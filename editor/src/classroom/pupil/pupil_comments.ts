@@ -4,7 +4,7 @@ import {computed, type Signal} from "@preact/signals"
 import {locatePlace} from "../../program/block_comments.ts"
 import {innermostBlock} from "../../program/program.ts"
 import type {OwnComment, PupilRequest} from "../../wire/classroom/pupil_messages.generated.ts"
-import type {ClassCommands} from "./class_bar.tsx"
+import type {ClassCommands} from "./bar/class_bar.tsx"
 import type {ClassState} from "./class_state.ts"
 import type {PageOfClass} from "./page_of_class.ts"
 

@@ -21,6 +21,7 @@ interface Style {
   lineJoin: string
   globalAlpha: number
   dash: readonly number[]
+  font: string
 }
 
 class SvgRecorder implements Style {
@@ -31,6 +32,10 @@ class SvgRecorder implements Style {
   lineJoin = "miter"
   globalAlpha = 1
   dash: readonly number[] = []
+  font = "400 10px sans-serif"
+  // The drawing centres all of its texts.
+  textAlign = "center"
+  textBaseline = "middle"
   private readonly elements: string[] = []
   private readonly saved: {readonly style: Style; readonly groups: number}[] = []
   /// Groups that are open since the last `save`.
@@ -42,8 +47,8 @@ class SvgRecorder implements Style {
   }
 
   save(): void {
-    const {fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, globalAlpha, dash} = this
-    const style = {fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, globalAlpha, dash}
+    const {fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, globalAlpha, dash, font} = this
+    const style = {fillStyle, strokeStyle, lineWidth, lineCap, lineJoin, globalAlpha, dash, font}
     this.saved.push({style, groups: this.groups})
     this.groups = 0
   }
@@ -122,6 +127,13 @@ class SvgRecorder implements Style {
 
   strokeRect(x: number, y: number, w: number, h: number): void {
     this.elements.push(`<rect ${box(x, y, w, h)} fill="none"${this.strokes()}/>`)
+  }
+
+  fillText(text: string, x: number, y: number): void {
+    const [, weight = "", size = ""] = /^(\d+) ([\d.]+)px /.exec(this.font) ?? []
+    const font = `font-family="sans-serif" font-weight="${weight}" font-size="${svgNumber(Number(size))}"`
+    const place = `x="${svgNumber(x)}" y="${svgNumber(y)}" text-anchor="middle" dominant-baseline="central"`
+    this.elements.push(`<text ${place} ${font} fill="${this.fillStyle}">${text}</text>`)
   }
 
   private opensGroup(transform: string): void {

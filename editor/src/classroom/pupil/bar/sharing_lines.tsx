@@ -1,9 +1,9 @@
 /// Line of the class bar about editing together: the teacher's question, that it is going on, and that it has ended.
 
 import type {VNode} from "preact"
-import {words} from "../../words/index.ts"
-import type {Sharing} from "./class_state.ts"
-import type {SharingCommands} from "./pupil_sharing.ts"
+import {words} from "../../../words/index.ts"
+import type {Sharing} from "../class_state.ts"
+import type {SharingCommands} from "../pupil_sharing.ts"
 
 interface Props extends SharingCommands {
   readonly sharing: Sharing

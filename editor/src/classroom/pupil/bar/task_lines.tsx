@@ -1,10 +1,10 @@
 /// Lines of the class bar about tasks: the button to hand in, when the pupil handed in, and the teacher's comments.
 
 import type {VNode} from "preact"
-import type {OwnTask} from "../../wire/classroom/pupil_messages.generated.ts"
-import {words} from "../../words/index.ts"
-import {dayAndTime} from "../common/day_and_time.ts"
-import {type ClassState, isUnread, shownTasks} from "./class_state.ts"
+import type {OwnTask} from "../../../wire/classroom/pupil_messages.generated.ts"
+import {words} from "../../../words/index.ts"
+import {dayAndTime} from "../../common/day_and_time.ts"
+import {type ClassState, isUnread, shownTasks} from "../class_state.ts"
 
 interface Props {
   readonly state: ClassState

@@ -1,8 +1,8 @@
 /// Line of the class bar about the study in which the class takes part: what it is, whom to ask, and the pupil's answer, which can be changed.
 
 import type {VNode} from "preact"
-import {privacyPage} from "../../help/help_links.ts"
-import {words} from "../../words/index.ts"
+import {privacyPage} from "../../../help/help_links.ts"
+import {words} from "../../../words/index.ts"
 
 interface Props {
   readonly contact: string

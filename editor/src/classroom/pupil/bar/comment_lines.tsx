@@ -1,10 +1,10 @@
 /// Lines of the class bar with the teacher's comments on places in the pupil's programs: where, what, and the button for a comment that the pupil has dealt with.
 
 import type {VNode} from "preact"
-import {lineNumber, locatePlace, quoteOf} from "../../program/block_comments.ts"
-import type {Program} from "../../program/program.ts"
-import type {OwnComment} from "../../wire/classroom/pupil_messages.generated.ts"
-import {words} from "../../words/index.ts"
+import {lineNumber, locatePlace, quoteOf} from "../../../program/block_comments.ts"
+import type {Program} from "../../../program/program.ts"
+import type {OwnComment} from "../../../wire/classroom/pupil_messages.generated.ts"
+import {words} from "../../../words/index.ts"
 
 interface Props {
   readonly comments: readonly OwnComment[]

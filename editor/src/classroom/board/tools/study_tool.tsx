@@ -2,10 +2,10 @@
 
 import type {VNode} from "preact"
 import {useState} from "preact/hooks"
-import {studyPage} from "../../help/help_links.ts"
-import type {BoardRequest} from "../../wire/classroom/board_messages.generated.ts"
-import {words} from "../../words/index.ts"
-import {board} from "./board_state.ts"
+import {studyPage} from "../../../help/help_links.ts"
+import type {BoardRequest} from "../../../wire/classroom/board_messages.generated.ts"
+import {words} from "../../../words/index.ts"
+import {board} from "../board_state.ts"
 
 interface Props {
   readonly send: (request: BoardRequest) => boolean

@@ -1,10 +1,10 @@
 /// Tool of the teacher's board for the projector: opens its page, and says what it shows and how.
 
 import type {VNode} from "preact"
-import type {BoardRequest} from "../../wire/classroom/board_messages.generated.ts"
-import {words} from "../../words/index.ts"
-import {lookAt} from "../messages/projector_choice.ts"
-import {board, change} from "./board_state.ts"
+import type {BoardRequest} from "../../../wire/classroom/board_messages.generated.ts"
+import {words} from "../../../words/index.ts"
+import {lookAt} from "../../messages/projector_choice.ts"
+import {board, change} from "../board_state.ts"
 
 interface Props {
   readonly send: (request: BoardRequest) => void
