@@ -190,6 +190,7 @@ export async function mux(hands: Hands): Promise<void> {
 
   await hands.starts("when a button is pressed")
   await hands.writes(field.name, "button")
+  await answersAnew(hands)
   await hands.throws(/button: first$/)
   await hands.puts("any, whatever", "just:", "M1", "velocity:")
   await hands.writes(field.speed, "0", "last")

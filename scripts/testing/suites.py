@@ -86,8 +86,8 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
         ),
         # Only so that those before it start first.
         replace(vitest("editor"), after=built),
-        # Beside what is left of the Python tests, not after them: it waits for about half of its time, and none of its times is judged.
-        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, cores=0.5, after=frozenset({"haskell", "browsers"})),
+        # Beside what is left of the stories, in place of the Python tests: it waits for about half of its time, and none of its times is judged.
+        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, cores=0.5, after=frozenset({"haskell", "python"})),
         replace(vitest("codegen", background=True), after=built),
         # Not before the suite above, which takes longer.
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "-rfEs", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),

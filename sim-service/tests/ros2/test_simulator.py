@@ -105,7 +105,8 @@ def test_a_program_of_another_process_drives_the_simulated_robot(
     monkeypatch.setattr(robot_bridge, "_DISCOVERY", PATIENCE)
     with free_domain() as domain, kept_simulator(config, f"ros2:{domain}") as address, BlockingWorker(config) as worker:
         worker.ready()
-        assert run_on_robot(worker, SPEAKER, "drive:0.2 done@30", f"{address}?rearm=off", PATIENCE)[1] == 0
+        # Until the robot touches the wall.
+        assert run_on_robot(worker, SPEAKER, "drive:0.7 done@touch", f"{address}?rearm=off", PATIENCE)[1] == 0
     last = json.loads(capfd.readouterr().out.splitlines()[-1])
     assert last["ended"] == "done"
     assert last["pose"]["x"] > 0

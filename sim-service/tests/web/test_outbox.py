@@ -45,6 +45,20 @@ def test_memory_and_channels_are_not_lost_with_a_frame_that_a_slow_page_never_ge
     asyncio.run(tell())
 
 
+def test_each_event_has_its_time_in_a_frame_that_takes_those_of_others_along() -> None:
+    def frame(step: int, sensed: list[str], times: list[float] | None) -> Frame:
+        return Frame(step / 50, PoseShown(0, 0, 0), {}, [], sensed, run=1, step=step, times=times)
+
+    async def tell() -> None:
+        outbox = Outbox(10)
+        outbox.put(frame(1, ["Bumper"], [0.02]))
+        outbox.put(frame(2, [], None))
+        outbox.put(frame(3, ["Button", "Wheel"], [0.04, 0.06]))
+        assert await outbox.get() == frame(3, ["Bumper", "Button", "Wheel"], [0.02, 0.04, 0.06])
+
+    asyncio.run(tell())
+
+
 def test_a_page_that_does_not_read_gets_the_latest_frame_of_a_robot_and_of_its_twin() -> None:
     def frame(run: int, step: int) -> Frame:
         return Frame(step / 50, PoseShown(0, 0, 0), {}, [f"f{step}"], [], run=run, step=step)

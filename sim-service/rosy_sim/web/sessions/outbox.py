@@ -56,6 +56,7 @@ class Outbox:
             if last is not None:
                 answer.fired = (last.fired + answer.fired)[-_MAX_FIRED:]
                 answer.sensed = (last.sensed + answer.sensed)[-_MAX_FIRED:]
+                answer.times = ((last.times or []) + (answer.times or []))[-_MAX_FIRED:] or None
                 answer.channels = {**last.channels, **answer.channels}
                 if last.firings:
                     answer.firings = (last.firings + (answer.firings or []))[-_MAX_FIRED:]
