@@ -73,6 +73,10 @@ class ClassStudy:
         self._answers[pupil] = since
         return True
 
+    async def reload(self) -> None:
+        """Read the answers again: entries of pupils were merged, removed or restored."""
+        self._answers = await self._thread.call(lambda store: store.study.answers())
+
     async def run_begins(self, pupil: int, program: str | None) -> None:
         """Store that a program of a pupil who takes part runs."""
         if self._study is None or program is None or self._answers.get(pupil, 0) == 0:

@@ -300,6 +300,7 @@ class Classroom:
             return store.tasks.hand_ins(), store.comments.comments(), store.progress.all()
 
         hand_ins, comments, progress = await self._store.call(read)
+        await self.study.reload()
         self.tasks.reload(hand_ins)
         self.comments.reload(comments)
         self._progress = {(one.pupil, one.lesson): one for one in progress}

@@ -31,15 +31,12 @@ from ..wire.robot_process import (
     encode_request,
     encode_switch,
 )
-from ..worker.background_process import reap
+from ..worker.background_process import SHUTDOWN_TIMEOUT, end_process
 
 __all__ = ["RobotListener", "RobotProcess", "RunListener"]
 
 _MAX_LINE = 1_000_000
 """Longest line, bytes; rosy-robot cuts texts to ten thousand characters."""
-
-_SHUTDOWN_TIMEOUT = 2.0
-"""For rosy-robot to stop the robot and end, before it is killed, s."""
 
 
 class RunListener(Protocol):
@@ -128,7 +125,7 @@ class RobotProcess:
         if self._process is not None and self._process.stdin is not None:
             self._process.stdin.close()
         try:
-            async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
+            async with asyncio.timeout(SHUTDOWN_TIMEOUT):
                 await asyncio.shield(self._supervision)
         except TimeoutError:
             self._supervision.cancel()
@@ -179,7 +176,8 @@ class RobotProcess:
             pass
         finally:
             if process is not None:
-                await _reap(process)
+                # The base's watchdog stops the robot of a process that is killed.
+                await end_process(process)
             # First: this task may be cancelled while the bridge ends.
             self._control_socket.close()
             await asyncio.to_thread(bridge.close)
@@ -210,16 +208,3 @@ class RobotProcess:
             self._listener.on_line(line)
         elif self._runs:
             self._runs[0].on_commands(line)
-
-
-async def _reap(process: asyncio.subprocess.Process) -> None:
-    """Close the input, which ends the process; kill it if it does not end. The base's watchdog then stops the robot."""
-    assert process.stdin is not None
-    process.stdin.close()
-    try:
-        async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
-            await reap(process)
-    except (TimeoutError, asyncio.CancelledError):
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
-        await reap(process)

@@ -4,14 +4,12 @@ Robots nearby on ROS 2, as a process of their discovery reports them (``discover
 
 from __future__ import annotations
 
-import asyncio
-import contextlib
-import sys
-from asyncio.subprocess import DEVNULL, PIPE
+from asyncio.subprocess import DEVNULL
 from collections.abc import Callable
 
 import msgspec
 
+from ..worker.background_process import end_process, start_process
 from .battery import Battery
 from .transports.address import Ros2Address
 
@@ -44,40 +42,17 @@ encode_robots = msgspec.json.Encoder().encode
 decode_robots = _decoder.decode
 """The robots of a line."""
 
-_MAX_LINE = 1_000_000
-"""Bytes of a line: thousands of robots."""
-
-_SHUTDOWN_TIMEOUT = 2.0
-"""For the process to say on the network that it leaves, before it is killed, s."""
-
 
 async def follow_robots(place: Ros2Address, on_robots: Callable[[list[NearbyRobot]], None]) -> None:
     """
     Calls ``on_robots`` with the robots at an address, now and whenever they change, until the discovery ends by itself
     or this is cancelled.
     """
-    process = await asyncio.create_subprocess_exec(
-        sys.executable,
-        "-m",
-        "rosy_sim.ros2.discovery_process",
-        place.text(),
-        stdin=PIPE,
-        stdout=PIPE,
-        stderr=DEVNULL,
-        limit=_MAX_LINE,
-        start_new_session=True,
-    )
-    assert process.stdin is not None
+    process = await start_process("rosy_sim.ros2.discovery_process", place.text(), stderr=DEVNULL)
     assert process.stdout is not None
     try:
         while line := await process.stdout.readline():
             on_robots(decode_robots(line))
     finally:
-        process.stdin.close()
-        try:
-            async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
-                await process.wait()
-        except TimeoutError:
-            with contextlib.suppress(ProcessLookupError):
-                process.kill()
-            await process.wait()
+        # It says on the network that it leaves.
+        await end_process(process)

@@ -81,6 +81,9 @@ async def _main(address: str) -> None:
         _ask(asked)
 
     works = [asyncio.create_task(bridge.run(follow)), asyncio.create_task(bridge.serve(client))]
+    for work in works:
+        # Without its bridge the process ends, and the service starts it again.
+        work.add_done_callback(lambda _: lines.feed_eof())
     while line := await lines.readline():
         if line.strip():
             client.offer(topics.from_simulator(json.loads(line)))

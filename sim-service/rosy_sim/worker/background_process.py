@@ -1,13 +1,14 @@
 """
-Background process: a process of the service with a worker of its own, which answers lines of JSON with lines of JSON.
+Background process: a module as a process of its own, which answers lines of JSON with lines of JSON.
 
-Both ends: how its owner starts it, and how it reads and answers. It ends when its input ends, also in the middle of a
-run, so nothing is left of it when its owner is gone.
+Both ends: how its owner starts and ends it, and how it reads and answers. It ends when its input ends, also in the
+middle of a run, so nothing is left of it when its owner is gone.
 """
 
 from __future__ import annotations
 
 import asyncio
+import contextlib
 import os
 import sys
 import threading
@@ -18,10 +19,22 @@ import msgspec
 
 from ..config import Config, Limits
 
-__all__ = ["LOWEST_PRIORITY", "WorkerSetup", "begin_reading", "reap", "start_process", "write_line"]
+__all__ = [
+    "LOWEST_PRIORITY",
+    "SHUTDOWN_TIMEOUT",
+    "WorkerSetup",
+    "begin_reading",
+    "end_process",
+    "reap",
+    "start_process",
+    "write_line",
+]
 
 LOWEST_PRIORITY = 19
 """Of a process; ``nice``(2)."""
+
+SHUTDOWN_TIMEOUT = 2.0
+"""For a process whose input is closed to end in good order, before it is killed, s."""
 
 _MAX_LINE = 16 * 1024 * 1024
 """Of an answer, bytes: the problems of a program quote it."""
@@ -51,14 +64,16 @@ class WorkerSetup(msgspec.Struct, frozen=True):
         return Config(nowhere, nowhere, nowhere, self.worker, self.sandbox, visible, limits=self.limits)
 
 
-async def start_process(module: str) -> asyncio.subprocess.Process:
-    """Start the process that a module is, for an owner with an event loop."""
+async def start_process(module: str, *arguments: str, stderr: int | None = None) -> asyncio.subprocess.Process:
+    """Start the process that a module is, for an owner with an event loop; ``stderr`` as for ``subprocess``."""
     return await asyncio.create_subprocess_exec(
         sys.executable,
         "-m",
         module,
+        *arguments,
         stdin=asyncio.subprocess.PIPE,
         stdout=asyncio.subprocess.PIPE,
+        stderr=stderr,
         # In a session of its own: Ctrl-C in a terminal reaches only the service, which ends it.
         start_new_session=True,
         limit=_MAX_LINE,
@@ -72,6 +87,19 @@ async def reap(process: asyncio.subprocess.Process) -> int:
     # No public name closes the pipes.
     process._transport.close()  # type: ignore[attr-defined]
     return status
+
+
+async def end_process(process: asyncio.subprocess.Process) -> None:
+    """Close the input of a process, which ends it; kill it if that takes too long, or if the caller is cancelled."""
+    assert process.stdin is not None
+    process.stdin.close()
+    try:
+        async with asyncio.timeout(SHUTDOWN_TIMEOUT):
+            await reap(process)
+    except (TimeoutError, asyncio.CancelledError):
+        with contextlib.suppress(ProcessLookupError):
+            process.kill()
+        await reap(process)
 
 
 def begin_reading(on_line: Callable[[bytes], None]) -> None:

@@ -16,7 +16,7 @@ import pytest
 from rosy_sim.classroom.exports.anonymous_source import anonymous_source, name_parts
 from rosy_sim.classroom.exports.study_export import kept_key, new_key, write_study
 from rosy_sim.classroom.exports.study_readme import README
-from rosy_sim.classroom.messages.check_messages import CheckResult
+from rosy_sim.classroom.messages.check_messages import CheckResult, Fault
 from rosy_sim.classroom.store.class_store import ClassStore, Pupil
 from rosy_sim.errors import BadInput
 
@@ -179,6 +179,28 @@ def test_only_what_pupils_who_take_part_did_since_then_is_exported(studied: Clas
     with zipfile.ZipFile(io.BytesIO(exported(studied))) as archive:
         lessons = table(archive, "LinkTables/LinkSubjectProblem.csv")
     assert [(row["ProblemID"], row["X-StepsDone"], row["X-Steps"]) for row in lessons] == [("bump", "2", "5")]
+
+
+@pytest.mark.parametrize(
+    ("fault", "score"), [("compile", "0.000"), ("room", ""), ("time", ""), ("lost", ""), ("lesson", "")]
+)
+def test_a_check_that_could_not_be_made_gives_no_score(studied: ClassStore, fault: Fault, score: str) -> None:
+    result = CheckResult(47.0, "maze", 4, 1, 20.0, "", fault=fault)
+    studied.tasks.grade(1, studied.pupils()[0].id, 45.0, msgspec.json.encode(result))
+    assert read_progsnap2(exported(studied))[-1]["Score"] == score
+
+
+@pytest.mark.parametrize(
+    ("merged", "into", "since"),
+    [("Ada", "Ben Ö.", 30.0), ("Ben Ö.", "Ada", 30.0), ("Ada", "Cleo", 0.0), ("Cleo", "Ada", 0.0), ("Dan", "Ada", 20.0)],
+)
+def test_a_merged_pupil_takes_part_only_as_both_entries_agreed(
+    studied: ClassStore, merged: str, into: str, since: float
+) -> None:
+    pupils = {pupil.nickname: pupil.id for pupil in studied.pupils()}
+    studied.roster.merge(pupils[merged], pupils[into], 50.0)
+    assert studied.study.answers()[pupils[into]] == since
+    assert (studied.study.runs(pupils[into]) == []) == (since == 0)
 
 
 def test_pseudonyms_are_others_in_each_export_unless_a_key_is_kept(studied: ClassStore, tmp_path: Path) -> None:

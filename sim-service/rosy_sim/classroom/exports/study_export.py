@@ -211,7 +211,10 @@ def _score(result: bytes) -> str:
     if not result:
         return ""
     found = msgspec.json.decode(result, type=CheckResult)
-    return "0.0" if found.fault is not None or found.rooms == 0 else f"{found.passed / found.rooms:.3f}"
+    if found.fault == "compile":
+        return "0.000"
+    # With another fault the program was not judged.
+    return "" if found.fault is not None or found.rooms == 0 else f"{found.passed / found.rooms:.3f}"
 
 
 def _row(number: int, event: _Event) -> Sequence[str]:

@@ -1,4 +1,4 @@
-"""Description of a data set for those who study it, as ProgSnap2 wants it, in English."""
+"""``README.md`` of a study's export, in English: what its events and columns mean."""
 
 from __future__ import annotations
 
@@ -14,7 +14,8 @@ CodeStateID. LinkTables/LinkSubjectProblem.csv says how many steps of each lesso
   GenericEdit: an event has all changes since the one before.
 - Run.Program: a program was run. How it ended is not stored, so ExecutionResult is empty.
 - Submit: the newest program that a pupil handed in for an assignment. Score is the part of the rooms in which the
-  newest check of the teacher found that it did well; it is empty without a check. Earlier ones are not stored.
+  newest check of the teacher found that it did well: 0 if it does not compile, and empty without a check or if the
+  check could not be made. Earlier ones are not stored.
 
 A CodeState is the one program that the event is about; its file name tells the programs of a pupil apart. ProblemID is
 the lesson of Rosy in whose room the program is. Comments are left out of the programs, letters of texts in quotes are

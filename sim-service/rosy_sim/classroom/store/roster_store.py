@@ -201,17 +201,31 @@ class RosterStore:
 
         Nothing is lost: of two programs with the same identifier the one of ``pupil`` gets another identifier, of two
         hand-ins for one task the older one becomes a program, steps of lessons are put together, and the devices and
-        the words of both let the pupil in.
+        the words of both let the pupil in. In a study the pupil takes part since the later of two answers, and not at
+        all after a refusal of either entry.
         """
         with self._database.transaction():
             self._move_programs(pupil, into)
             self._move_hand_ins(pupil, into)
             self._move_progress(pupil, into)
+            self._merge_study(pupil, into)
             self._database.execute("UPDATE device SET pupil = ? WHERE pupil = ?", (into, pupil))
             self._hide(pupil, now)
             self._database.execute(
                 "UPDATE pupil SET merged_into = ? WHERE id = ? OR merged_into = ?", (into, pupil, pupil)
             )
+
+    def _merge_study(self, pupil: int, into: int) -> None:
+        self._database.execute(
+            "UPDATE pupil SET study_part = (SELECT CASE WHEN min(study_part) = 0 THEN 0 ELSE max(study_part) END "
+            "FROM pupil WHERE id IN (?, ?)) WHERE id = ?",
+            (pupil, into, into),
+        )
+        self._database.execute(
+            "DELETE FROM study_run WHERE version IN "
+            "(SELECT number FROM version JOIN pupil ON pupil = id WHERE id = ? AND study_part = 0)",
+            (into,),
+        )
 
     def _hide(self, pupil: int, now: float) -> None:
         # No nickname has a line break.

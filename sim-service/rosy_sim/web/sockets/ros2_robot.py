@@ -7,12 +7,12 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
-import sys
-from asyncio.subprocess import DEVNULL, PIPE, Process
+from asyncio.subprocess import DEVNULL, Process
 from collections.abc import Callable, Mapping
 
 from ...sentences.sentence import Sentence, tr
 from ...token_bucket import TokenBucket
+from ...worker.background_process import end_process, start_process
 from ..sessions.page_session import PageSession
 from ..sessions.simulator.ros_bridge import RosClient
 from ..sessions.simulator.simulated_robot import SimulatedRobot
@@ -22,9 +22,6 @@ __all__ = ["Ros2Robot"]
 
 _PAUSE = 2.0
 """Seconds until the process is started again when it has ended by itself."""
-
-_SHUTDOWN_TIMEOUT = 2.0
-"""For the process to say on the network that it leaves, before it is killed, s."""
 
 _RATE = 500.0
 """Commands a second that are taken: what a ROS client may send."""
@@ -51,20 +48,13 @@ class Ros2Robot:
     async def run(self) -> None:
         """Until it is cancelled."""
         while True:
-            process = await asyncio.create_subprocess_exec(
-                sys.executable,
-                "-m",
-                "rosy_sim.ros2.simulator_process",
-                self._address,
-                stdin=PIPE,
-                stdout=PIPE,
-                stderr=DEVNULL,
-                start_new_session=True,
-            )
+            process = await start_process("rosy_sim.ros2.simulator_process", self._address, stderr=DEVNULL)
             try:
-                await first_completed(self._serve(process), process.wait())
+                # A line of the process may be too long to be read: then it begins anew, too.
+                with contextlib.suppress(ValueError):
+                    await first_completed(self._serve(process), process.wait())
             finally:
-                await _end(process)
+                await end_process(process)
             self._tell(tr("The process that speaks ROS 2 has ended; it is started again."))
             await asyncio.sleep(_PAUSE)
 
@@ -113,15 +103,3 @@ async def _send(process: Process, client: RosClient) -> None:
             process.stdin.write(b"\n")
             await process.stdin.drain()
     await asyncio.Event().wait()
-
-
-async def _end(process: Process) -> None:
-    assert process.stdin is not None
-    process.stdin.close()
-    try:
-        async with asyncio.timeout(_SHUTDOWN_TIMEOUT):
-            await process.wait()
-    except TimeoutError:
-        with contextlib.suppress(ProcessLookupError):
-            process.kill()
-        await process.wait()
