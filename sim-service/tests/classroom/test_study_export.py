@@ -192,10 +192,10 @@ def test_a_check_that_could_not_be_made_gives_no_score(studied: ClassStore, faul
 
 @pytest.mark.parametrize(
     ("merged", "into", "since"),
-    [("Ada", "Ben Ö.", 30.0), ("Ben Ö.", "Ada", 30.0), ("Ada", "Cleo", 0.0), ("Cleo", "Ada", 0.0), ("Dan", "Ada", 20.0)],
+    [("Ada", "Ben Ö.", 30), ("Ben Ö.", "Ada", 30), ("Ada", "Cleo", 0), ("Cleo", "Ada", 0), ("Dan", "Ada", 20)],
 )
 def test_a_merged_pupil_takes_part_only_as_both_entries_agreed(
-    studied: ClassStore, merged: str, into: str, since: float
+    studied: ClassStore, merged: str, into: str, since: int
 ) -> None:
     pupils = {pupil.nickname: pupil.id for pupil in studied.pupils()}
     studied.roster.merge(pupils[merged], pupils[into], 50.0)
