@@ -83,7 +83,7 @@ cost_of() {
     venv) echo 15 15 56 ;;
     venv-tools) echo 20 45 186 ;;
     venv-cluster) echo 40 90 330 ;;
-    ros2) echo 8 18 59 ;;
+    ros2) echo 11 37 113 ;;
     packager) echo 5 1 7 ;;
     node) echo 10 58 207 ;;
     npm) echo 20 62 147 ;;

@@ -42,8 +42,8 @@ _HEARTBEAT = 0.05
 _AWAY = 0.5
 """Seconds without a heartbeat after which this process was away: a tenth less than the guardian waits."""
 
-_SERVER_TIMEOUT = 2.0
-"""For a service's server to be discovered, s."""
+_MATCH_TIMEOUT = 2.0
+"""For a writer and a reader that the graph has to find each other, s."""
 
 _CYCLONE = b"\x01\x10"
 """Cyclone DDS's number as a vendor (dds-foundation.org, DDSI-RTPS vendor and product IDs)."""
@@ -192,12 +192,16 @@ class Bridge:
         if topic not in self._request_writers:
             self._request_writers[topic] = self._transport.request_writer(service, kind)
         writer = self._request_writers[topic]
-        with contextlib.suppress(TimeoutError):
-            async with asyncio.timeout(_SERVER_TIMEOUT):
-                while not writer.is_matched():  # noqa: ASYNC110 a thread of the transport tells it
-                    await asyncio.sleep(_HEARTBEAT)
+        await self.matched(writer)
         writer.write(message)
         return None
+
+    async def matched(self, writer: Writer) -> None:
+        """Returns when something reads what is written, or after a while."""
+        with contextlib.suppress(TimeoutError):
+            async with asyncio.timeout(_MATCH_TIMEOUT):
+                while not writer.is_matched():  # noqa: ASYNC110 a thread of the transport tells it
+                    await asyncio.sleep(_HEARTBEAT)
 
     def _look(self) -> None:
         graph = self._transport.graph()
@@ -307,7 +311,10 @@ class _Client:
         if kind in VELOCITIES:
             await self._bridge.guard(dds_topic(topic), self._kind_to_write(topic, advertised))
         self._advertised[topic] = advertised
-        self._writer(topic, advertised)
+        _, writer = self._writer(topic, advertised)
+        if kind in VELOCITIES and self._bridge.graph.reader_types(dds_topic(topic)):
+            # What is written before the robot hears it is lost.
+            await self._bridge.matched(writer)
         return None
 
     def _unadvertise(self, topic: str) -> None:

@@ -71,7 +71,7 @@ def check_installed(installs: str = "./rosy run --robot ros2:") -> None:
     Raises:
         BadInput: it does not.
     """
-    if find_spec("cyclonedds") is None or find_spec("zenoh") is None:
+    if any(find_spec(part) is None for part in ("cyclonedds", "zenoh", "foxglove")):
         raise BadInput(
             tr(
                 "The part of Rosy that speaks ROS 2 is not installed yet; {command} installs it.",

@@ -2,22 +2,26 @@
 Topics of the simulated robot on ROS 2: its rosbridge messages, which are those of ROS 1, as a robot on ROS 2 has them,
 and the commands on ROS 2 as the simulator takes them. Pure.
 
-The topics are those of the robot's own driver on ROS 2, by its description in ``protocol/robots``, and those that every
-base has: ``/cmd_vel`` and ``/tf``. What is measured on demand is asked for while a process of ROS 2 has its topic.
+The topics are those of the robot's own driver on ROS 2, by its description in ``protocol/robots``, those that every
+base has, ``/cmd_vel`` and ``/tf``, and ``/map``, the room. What is measured on demand is asked for while a process of
+ROS 2 has its topic.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ..maps.room_map import room_map
 from ..robot_description import simulated
 from ..wire.channels import Channel
 from ..wire.topics import CHANNELS, ODOMETRY
+from ..world.arena import Arena
 from .velocity_watch import VELOCITIES, as_type
 
-__all__ = ["Frame", "SimulatedTopics"]
+__all__ = ["Frame", "SimulatedTopics", "room_frame"]
 
 Frame = dict[str, Any]
 """A message of rosbridge's protocol."""
@@ -27,6 +31,11 @@ _VELOCITY = "cmd_vel"
 
 _TRANSFORMS = "tf"
 _TRANSFORMS_TYPE = "tf2_msgs/TFMessage"
+
+_MAP = "map"
+"""The topic, and the frame of the room (ROS REP 105)."""
+
+_MAP_TYPE = "nav_msgs/OccupancyGrid"
 
 _REPEAT = 50
 """Messages of odometry between two of each state, a second of the robot's time: a real base sends them all the time."""
@@ -58,6 +67,9 @@ class SimulatedTopics:
         self._velocity = f"{namespace}/{_VELOCITY}"
         self._velocity_type = VELOCITIES[0]
         self._transforms = f"{namespace}/{_TRANSFORMS}"
+        self._map = f"{namespace}/{_MAP}"
+        # Where odometry began in the room; None until the room is known.
+        self._start: Frame | None = None
         self._scans = {channel.header for channel in channels if channel.on_demand and channel.header}
         # Topics measured on demand that something reads.
         self._read: set[str] = set()
@@ -70,6 +82,7 @@ class SimulatedTopics:
         for topic, there in self._sensors.items():
             yield {"op": "advertise", "topic": there.name, "type": there.type, "latch": topic in self._latched}
         yield {"op": "advertise", "topic": self._transforms, "type": _TRANSFORMS_TYPE}
+        yield {"op": "advertise", "topic": self._map, "type": _MAP_TYPE, "latch": True}
         for there in self._commands:
             yield {"op": "subscribe", "topic": there.name, "type": there.type}
         yield {"op": "subscribe", "topic": self._velocity, "type": self._velocity_type}
@@ -97,8 +110,11 @@ class SimulatedTopics:
         return offered, asked
 
     def from_simulator(self, frame: Frame) -> Iterator[Frame]:
-        """What the bridge publishes for a message of the simulator."""
+        """What the bridge publishes for a message of the simulator, or for its ``room`` (``room_frame``)."""
         topic = frame.get("topic")
+        if frame.get("op") == "room":
+            self._start = frame["start"]
+            yield _published(self._map, frame["map"] | {"header": {"frame_id": _MAP}})
         if frame.get("op") != "publish" or topic not in self._sensors:
             return
         stamp = dict(zip(("sec", "nanosec"), self._now(), strict=True))
@@ -123,13 +139,27 @@ class SimulatedTopics:
                 yield _published(topic, as_type(frame["msg"], there.type) if is_velocity else frame["msg"])
 
     def _placed(self, odometry: Frame) -> Iterator[Frame]:
-        """The transforms of a message of odometry: the robot in its frame, and the scanner in the middle of it."""
+        """
+        The transforms of a message of odometry: its frame in the room, the robot in its frame, and the scanner in the
+        middle of the robot.
+        """
         pose, header, base = odometry["pose"]["pose"], odometry["header"], odometry["child_frame_id"]
+        if self._start is not None:
+            in_room = header | {"frame_id": _MAP}
+            yield {"header": in_room, "child_frame_id": header["frame_id"], "transform": self._start}
         transform = {"translation": pose["position"], "rotation": pose["orientation"]}
         yield {"header": header, "child_frame_id": base, "transform": transform}
         for frame in sorted(self._scans):
             same = {"rotation": {"w": 1.0}}
             yield {"header": header | {"frame_id": base}, "child_frame_id": frame, "transform": same}
+
+
+def room_frame(arena: Arena) -> Frame:
+    """A room, for ``SimulatedTopics.from_simulator``: its map, and where odometry begins in it."""
+    start = arena.start
+    rotation = {"x": 0.0, "y": 0.0, "z": math.sin(start.theta / 2), "w": math.cos(start.theta / 2)}
+    placed = {"translation": {"x": start.x, "y": start.y, "z": 0.0}, "rotation": rotation}
+    return {"op": "room", "map": room_map(arena), "start": placed}
 
 
 def _published(topic: str, message: Any) -> Frame:

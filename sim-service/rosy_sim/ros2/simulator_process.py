@@ -1,9 +1,10 @@
 """
 Process that makes the simulated robot one of ROS 2: ``python -m rosy_sim.ros2.simulator_process ADDRESS``.
 
-In, on standard input: the simulator's frames of rosbridge's protocol, one a line, and an empty line whenever another
-page's robot begins to be this one. Out, on standard output: frames for the simulator, one a line. On the other side are
-DDS and Zenoh, with the bridge that robots use too (``bridge.py``), in the other direction. It ends when its input does.
+In, on standard input, a line each: the simulator's frames of rosbridge's protocol, its rooms (``room_frame``), and
+nothing whenever another page's robot begins to be this one. Out, on standard output: the port of Foxglove's protocol as
+the first line, then frames for the simulator. On the other side are DDS, Zenoh and the Foxglove app, with the bridge
+that robots use too (``bridge.py``), in the other direction. It ends when its input does.
 """
 
 from __future__ import annotations
@@ -19,12 +20,17 @@ from collections.abc import Iterable
 from .bridge import Bridge
 from .simulated_topics import Frame, SimulatedTopics
 from .transports.address import parse_ros2_address
+from .transports.foxglove_transport import FoxgloveTransport
 from .transports.open_transport import open_transport
+from .transports.transport import Transports
 
 __all__: list[str] = []
 
-_MAX_LINE = 1_000_000
-"""Bytes of a line: a scan has ten thousand."""
+_MAX_LINE = 2_000_000
+"""Bytes of a line: a map has six hundred thousand."""
+
+_NAME = "Rosy"
+"""As which the Foxglove app shows the robot."""
 
 
 class _Client:
@@ -69,7 +75,9 @@ async def _main(address: str) -> None:
     loop = asyncio.get_running_loop()
     lines = asyncio.StreamReader(limit=_MAX_LINE)
     await loop.connect_read_pipe(lambda: asyncio.StreamReaderProtocol(lines), sys.stdin)
-    transport = open_transport(given.domain, given.host)
+    foxglove = FoxgloveTransport(_NAME)
+    print(foxglove.port, flush=True)
+    transport = Transports((open_transport(given.domain, given.host), foxglove))
     # It drives nothing, so there is nothing to guard.
     bridge = Bridge(transport, None)
     topics = SimulatedTopics(given.namespace, lambda: divmod(time.time_ns(), 10**9))

@@ -8,15 +8,23 @@ import json
 import os
 import signal
 import sys
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
 from pathlib import Path
 from typing import Any
 
 import pytest
+
+pytest.importorskip("cyclonedds", reason="Cyclone DDS is not installed")
+
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.typing import Origin
+
+from rosy_sim.ros2.bridge import Bridge
+from rosy_sim.ros2.transports.dds_names import dds_message_type
+from rosy_sim.ros2.transports.graph import Endpoint, Graph, Quality
+from rosy_sim.ros2.transports.transport import Reader
 
 from ..conftest import PATIENCE, UNHURRIED
 from .bases import TRANSPORTS, Place, place
@@ -269,3 +277,71 @@ def test_a_robot_over_zenoh_may_appear_later_and_its_router_may_come_back() -> N
                         continue
 
     asyncio.run(play())
+
+
+class LateReader:
+    """A transport whose writers are heard by the robot only at the third look."""
+
+    def __init__(self) -> None:
+        self.looks = 0
+        self.written: list[Any] = []
+
+    def graph(self) -> Graph:
+        reader = Endpoint("rt/cmd_vel", dds_message_type("geometry_msgs/Twist"), Quality(True, False), b"")
+        return Graph((), (reader,))
+
+    def writer(self, topic: str, kind: str, quality: Quality) -> LateReader:  # noqa: ARG002 it is the only one
+        return self
+
+    def is_matched(self) -> bool:
+        self.looks += 1
+        return self.looks >= 3
+
+    def write(self, message: Any) -> None:
+        self.written.append((self.looks, message.linear.x))
+
+    def flush(self) -> None:
+        """Nothing waits."""
+
+    def request_writer(self, service: str, kind: str) -> LateReader:  # noqa: ARG002 no service is called
+        return self
+
+    def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
+        raise NotImplementedError
+
+    def close(self) -> None:
+        """Nothing is open."""
+
+
+class Frames:
+    """A client that says so much and leaves."""
+
+    def __init__(self, *frames: dict[str, Any]) -> None:
+        self._frames = [json.dumps(frame) for frame in frames]
+
+    def __aiter__(self) -> Frames:
+        return self
+
+    async def __anext__(self) -> str:
+        if not self._frames:
+            raise StopAsyncIteration
+        return self._frames.pop(0)
+
+    async def send(self, frame: str) -> None:
+        """It reads nothing."""
+
+    async def close(self, code: int, reason: str) -> None:
+        """It leaves by itself."""
+
+
+class Unguarded(Bridge):
+    async def guard(self, topic: str, kind: str) -> None:
+        """Nothing drives for real."""
+
+
+def test_the_first_velocity_waits_until_the_robot_hears_what_is_written() -> None:
+    transport = LateReader()
+    topic = {"topic": "/cmd_vel", "type": "geometry_msgs/Twist"}
+    drives = Frames({"op": "advertise", **topic}, {"op": "publish", **topic, "msg": TWIST})
+    asyncio.run(Unguarded(transport, None).serve(drives))
+    assert transport.written == [(3, 0.2), (3, 0.0)]

@@ -27,6 +27,7 @@ from ..conftest import PATIENCE, UNHURRIED
 from .page_client import opened, serving
 
 BUMPER = "/mobile_base/events/bumper"
+VELOCITY = "/mobile_base/commands/velocity"
 
 
 def say(client: RosbridgeClient, now: float = 0.0, **message: Any) -> list[dict[str, Any]]:
@@ -231,6 +232,26 @@ def test_a_crowd_of_hostile_clients_harms_nobody(config: Config, seed: int) -> N
                 assert len(service.sessions) == 2
         # What is not closed by now is told of here, and not in whatever test comes next.
         gc.collect()
+
+    asyncio.run(tell())
+
+
+def test_a_client_drives_without_a_program_after_another_room_was_chosen_and_reset(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            hello = await page.op("hello")
+            async with connect(f"ws://{address}/rosbridge/{hello['session']}") as client:
+                await client.send(json.dumps({"op": "subscribe", "topic": "/odom"}))
+                await client.send(json.dumps({"op": "advertise", "topic": VELOCITY, "type": "geometry_msgs/Twist"}))
+                for change in ({"op": "world", "world": "corridor"}, {"op": "reset"}):
+                    await page.socket.send(json.dumps(change))
+                    await page.op("world")
+                    speed = 0.0
+                    while speed <= 0:
+                        twist = {"linear": {"x": 0.2}, "angular": {"z": 0}}
+                        await client.send(json.dumps({"op": "publish", "topic": VELOCITY, "msg": twist}))
+                        odometry = json.loads(await asyncio.wait_for(client.recv(), PATIENCE))["msg"]
+                        speed = odometry["pose"]["pose"]["position"]["x"]
 
     asyncio.run(tell())
 

@@ -13,7 +13,7 @@ from functools import cache
 from ...robot_description import description, known_robots
 from ...wire.ros.ros_messages import Field, definition_fields, fields_of
 
-__all__ = ["ros2_fields"]
+__all__ = ["ros2_fields", "ros2_schema"]
 
 _DEFINITIONS: dict[str, str] = {
     # rcl_interfaces, builtin_interfaces/msg
@@ -65,6 +65,23 @@ def ros2_fields(kind: str) -> tuple[Field, ...] | None:
     if fields is None:
         return None
     return tuple((_ros2_kind(field, earlier, package), at, length) for field, at, length in fields)
+
+
+def ros2_schema(kind: str) -> str:
+    """The definition of a message with those of its parts, as recordings and Foxglove have it (MCAP, ``ros2msg``)."""
+    parts = [kind]
+    texts = []
+    for part in parts:
+        fields = ros2_fields(part) or ()
+        texts.append("\n".join(f"{_with_length(field, length)} {name}" for field, name, length in fields))
+        inner = dict.fromkeys(field for field, _, _ in fields if "/" in field)
+        parts += [field for field in inner if field not in parts]
+    first, *others = zip(parts, texts, strict=True)
+    return "\n".join([first[1], *(f"{'=' * 80}\nMSG: {part}\n{text}" for part, text in others)])
+
+
+def _with_length(field: str, length: int) -> str:
+    return field if length < 0 else f"{field}[{length or ''}]"
 
 
 @cache

@@ -7,12 +7,15 @@ from __future__ import annotations
 
 import asyncio
 import contextlib
+import json
 from asyncio.subprocess import DEVNULL, Process
 from collections.abc import Callable, Mapping
 
+from ...ros2.simulated_topics import room_frame
 from ...sentences.sentence import Sentence, tr
 from ...token_bucket import TokenBucket
 from ...worker.background_process import end_process, start_process
+from ...world.arena import Arena
 from ..sessions.page_session import PageSession
 from ..sessions.simulator.ros_bridge import RosClient
 from ..sessions.simulator.simulated_robot import SimulatedRobot
@@ -40,6 +43,8 @@ class Ros2Robot:
         self._sessions = sessions
         self._tell = tell
         self._opened = asyncio.Event()
+        # Of Foxglove's protocol, as it was said.
+        self._port = ""
 
     def page_opened(self) -> None:
         """There is one more page."""
@@ -52,11 +57,20 @@ class Ros2Robot:
             try:
                 # A line of the process may be too long to be read: then it begins anew, too.
                 with contextlib.suppress(ValueError):
+                    await self._announce(process)
                     await first_completed(self._serve(process), process.wait())
             finally:
                 await end_process(process)
             self._tell(tr("The process that speaks ROS 2 has ended; it is started again."))
             await asyncio.sleep(_PAUSE)
+
+    async def _announce(self, process: Process) -> None:
+        """Say where the Foxglove app finds the robot, once, and again when that is elsewhere."""
+        assert process.stdout is not None
+        port = (await process.stdout.readline()).decode().strip()
+        if port and port != self._port:
+            self._port = port
+            self._tell(tr("The Foxglove app shows the robot at ws://localhost:{port}.", port=port))
 
     async def _serve(self, process: Process) -> None:
         """One page after the other."""
@@ -68,7 +82,10 @@ class Ros2Robot:
                 # It subscribes to the sensors of this robot.
                 process.stdin.write(b"\n")
                 await first_completed(
-                    _receive(process, session.simulator, client), _send(process, client), session.closed.wait()
+                    _receive(process, session.simulator, client),
+                    _send(process, client),
+                    _show_rooms(process, session.simulator),
+                    session.closed.wait(),
                 )
             finally:
                 session.simulator.leave(client)
@@ -92,6 +109,22 @@ async def _receive(process: Process, robot: SimulatedRobot, client: RosClient) -
             await asyncio.sleep(wait)
     # The process ends, which the one who waits for it notices.
     await asyncio.Event().wait()
+
+
+async def _show_rooms(process: Process, robot: SimulatedRobot) -> None:
+    assert process.stdin is not None
+    with contextlib.suppress(ConnectionError):
+        while True:
+            robot.room_changed.clear()
+            line = await asyncio.to_thread(_encoded_room, robot.world.arena)
+            process.stdin.write(line)
+            await process.stdin.drain()
+            await robot.room_changed.wait()
+    await asyncio.Event().wait()
+
+
+def _encoded_room(arena: Arena) -> bytes:
+    return json.dumps(room_frame(arena)).encode() + b"\n"
 
 
 async def _send(process: Process, client: RosClient) -> None:

@@ -52,6 +52,8 @@ class SimulatedRobot:
         self._now = asyncio.get_running_loop().time
         self.hands = HandsRecorder(self.run)
         self.bridge = RosBridge()
+        # Set when the page has chosen another room.
+        self.room_changed = asyncio.Event()
         # Steps since the session began, with and without programs.
         self.steps = 0
         self._idle = IdleSimulation(self.bridge, view, self.on_events)
@@ -72,12 +74,15 @@ class SimulatedRobot:
         """The page has another room."""
         self.hands.forget_room()
         self.room = room
+        self.room_changed.set()
         self._view.show_room(room)
+        self.wake()
 
     def reset(self, room: Room) -> None:
         """The room is as it was before anything moved."""
         self.room = room
         self._view.reset(room)
+        self.wake()
 
     def begin_run(self, room: Room) -> None:
         """A run moves the robot from now on, in this room."""
@@ -95,8 +100,8 @@ class SimulatedRobot:
 
     def free(self) -> None:
         """A large room is freed now, and not when the garbage collector finds the session."""
-        self._idle.pause()
         self.reset(default_room())
+        self._idle.pause()
 
     # Hands
 
