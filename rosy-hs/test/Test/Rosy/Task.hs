@@ -206,6 +206,12 @@ calls =
     testCase "its feedback is answered, each in order" $
       commandsOf (\(Button _ _) -> call (task () (\(Bumper s _) -> Feedback s) :: Task ()) callOptions {onFeedback = \s -> Say (show (s :: BumperSide))}) [at 0 push, at 0.1 bump, at 0.2 bump]
         @?= ["Say \"LeftBumper\"", "Say \"LeftBumper\""],
+    testCase "several feedbacks of one firing are answered in their order" $
+      commandsOf (\(Button _ _) -> call (task () (\(Bumper _ _) -> (Feedback 'a', Feedback 'b')) :: Task ()) spoken) [at 0 push, at 0.1 bump]
+        @?= ["Say \"a\"", "Say \"b\""],
+    testCase "feedback that the caller does not answer is for its own caller" $
+      commandsOf (\(Button _ _) -> call (task () (\(Bumper _ _) -> call reporter quiet) :: Task ()) spoken) [at 0 push, at 0.1 bump, at 0.2 (moving 0.3)]
+        @?= ["Say \"x\""],
     testCase "a cancelled sequence stops in whatever step it is, and cleans up once" $
       commandsOf (\(Button n _) -> if n == Button0 then Just (call twoSteps quiet {cancelOn = \(ButtonOne _) -> Just Cancel}) else Nothing) story
         @?= ["Say \"one\"", "Say \"two\"", "Velocity 0.5 0.0", "Led1 Red", "Velocity 0.0 0.0"],
@@ -222,6 +228,8 @@ calls =
   where
     quiet :: CallOptions Never () () end ()
     quiet = callOptions
+    spoken = callOptions {onFeedback = \c -> Say [c :: Char]}
+    reporter = task () (\(Velocity _ _) -> (Feedback 'x', Done ())) :: Task ()
     guarded :: Task ()
     guarded = taskWith taskOptions {stopped = Led1 Red} (Velocity 0.5 0)
     twoSteps = say "one" >> task () untilBump >> say "two" >> guarded
