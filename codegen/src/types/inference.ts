@@ -64,6 +64,7 @@ export function createInference(
     sockets: new Set(),
     unreadClashes: [],
     undefinedNames: new Map(),
+    settledHoles: [],
     improvable: [],
     wanted: [],
     pending: [],
@@ -288,7 +289,7 @@ function inferCached(
     })
   if (closed) {
     // Nothing else decides them, as of groups that are remembered; each definition goes through all that are left.
-    s.holes.length = outer.holes
+    s.settledHoles.push(...s.holes.splice(outer.holes))
     s.improvable.length = outer.improvable
   }
   if (key === undefined || !closed) {
