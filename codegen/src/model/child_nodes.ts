@@ -34,28 +34,12 @@ export function childrenOf(node: Node): readonly Node[] {
     case "raw-declaration":
     case "type":
       return []
-    case "name-pattern":
-    case "wildcard":
-    case "number-pattern":
-    case "string-pattern":
-    case "character-pattern":
-    case "raw-pattern":
-    case "tuple-pattern":
-    case "list-pattern":
-    case "constructor-pattern":
-    case "infix-pattern":
-    case "as-pattern":
-    case "record-pattern":
-    case "strictness-pattern":
-    case "view-pattern":
-    case "typed-pattern":
-      return patternParts(node)
     default:
       return expressionParts(node)
   }
 }
 
-function expressionParts(node: Expr): readonly Node[] {
+function expressionParts(node: Expr | Pattern): readonly Node[] {
   switch (node.kind) {
     case "apply":
       return [node.fn, ...node.args]
@@ -108,7 +92,7 @@ function expressionParts(node: Expr): readonly Node[] {
     case "raw":
       return []
     default:
-      return unreachable(node)
+      return patternParts(node)
   }
 }
 

@@ -64,6 +64,7 @@ export function createInference(
     sockets: new Set(),
     unreadClashes: [],
     undefinedNames: new Map(),
+    settledHoles: [],
     improvable: [],
     wanted: [],
     pending: [],
@@ -268,6 +269,8 @@ function inferCached(
     problems: s.problems.length,
     schemes: s.schemes.size,
     needs: [...s.env.needs],
+    holes: s.holes.length,
+    improvable: s.improvable.length,
   }
   s.found = new Map()
   s.env.needs.clear()
@@ -284,6 +287,11 @@ function inferCached(
       const scheme = s.schemes.get(d)
       return scheme === undefined || (d.kind === "function" && metasIn(scheme.type).size === 0)
     })
+  if (closed) {
+    // Nothing else decides them, as of groups that are remembered; each definition goes through all that are left.
+    s.settledHoles.push(...s.holes.splice(outer.holes))
+    s.improvable.length = outer.improvable
+  }
   if (key === undefined || !closed) {
     s.groups.push(group)
     return

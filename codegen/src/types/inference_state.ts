@@ -21,6 +21,8 @@ export interface InferenceState {
   readonly problems: TypeProblem[]
   /// Types that a hole, an error or text for GHC leaves open; they cause no further problem.
   readonly holes: Type[]
+  /// Those of finished definitions, of which nothing can be decided any more.
+  readonly settledHoles: Type[]
   /// The names whose types some of `holes` are.
   readonly foreignNames: Map<Type, string>
   /// Those of `holes` that are empty sockets.

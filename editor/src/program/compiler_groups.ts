@@ -1,11 +1,16 @@
-/// Whether the compiler groups changed definitions as their blocks do. Pure.
+/// Whether the compiler reads changed definitions as their blocks do. Pure.
 ///
-/// The compiler tells the places of the expressions and patterns that it has found. Of two readings of one text, one has an expression that
-/// begins inside an expression of the other and ends outside of it: `a * b` and `b + c` in `a * b + c`. Pieces that only one of the two tells
-/// of say nothing, such as `f x` in `f x y`.
+/// In: the program before and after an edit, and the compiler's answer about it. Out: names of definitions. The places of the parsed tree's nodes are the
+/// tree but for the fixities of operators. Those are in the places of typed expressions, of which only some are told: of two readings of
+/// `a * b + c`, one has an expression that begins inside an expression of the other and ends outside of it.
 
-import type {TypesAtPlaces} from "../wire/worker.generated.ts"
-import type {Program, Span} from "./program.ts"
+import {areSameGroups, characterOffsets, placesOfGroups, syntaxGroups} from "@rosy/codegen/reader"
+import type {Checked, TypesAtPlaces} from "../wire/worker.generated.ts"
+import type {Document} from "./history.ts"
+import type {Definition, Program, Span} from "./program.ts"
+
+/// `groups` is `null` when the text could not be parsed.
+export type CompilerReading = Pick<Checked, "groups" | "types">
 
 interface Range {
   readonly start: number
@@ -13,45 +18,56 @@ interface Range {
 }
 
 /// Names of the definitions whose text is not in `before` and which the compiler groups in another way than the blocks.
-export function otherwiseGrouped(program: Program, before: Program, types: TypesAtPlaces): readonly string[] {
-  const textOf = ({text}: Program, {start, end}: Range) => text.slice(start, end)
-  const known = new Set(before.definitions.map(d => textOf(before, d)))
-  const changed = program.definitions.filter(d => !known.has(textOf(program, d)))
+export function otherwiseGrouped(
+  document: Document,
+  before: Document,
+  {groups, types}: CompilerReading,
+): readonly string[] {
+  const {program} = document
+  const changed = changedDefinitions(document, before)
   if (changed.length === 0) return []
-  const lines = lineStarts(program.text)
+  const typed = placesOfTypes(program.text, types)
+  const parsed = groups === null ? null : placesOfGroups(program.text, groups)
   return changed.flatMap(definition => {
-    const isInside = ({start, end}: Range) => definition.start <= start && end <= definition.end
+    const {name, start, end} = definition
+    const isInside = (range: Range) => start <= range.start && range.end <= end
+    const tree = parsed === null ? undefined : groupsOf(document, definition)
+    const nodes = (parsed ?? []).filter(isInside).map(r => ({start: r.start - start, end: r.end - start}))
+    const isOther = tree !== undefined && !areSameGroups(program.text.slice(start, end), tree, nodes)
     const ours = widestOfEach(program.spans.filter(isInside))
-    const theirs = placesIn(program.text, lines, types, definition).filter(isInside)
-    return cross([...ours, ...theirs]) ? [definition.name] : []
+    return isOther || cross([...ours, ...typed.filter(isInside)]) ? [name] : []
   })
 }
 
-/// The offset at which each line starts.
-function lineStarts(text: string): readonly number[] {
-  const starts = [0]
-  for (let at = text.indexOf("\n"); at >= 0; at = text.indexOf("\n", at + 1)) starts.push(at + 1)
-  return starts
+/// Names of the definitions whose text is not in `before` and is made of blocks. Text that a learner wrote into a block may be unreadable: it stays.
+export function changedByBlocks(document: Document, before: Document): readonly string[] {
+  return changedDefinitions(document, before).flatMap(definition => {
+    const tree = groupsOf(document, definition)
+    if (tree === undefined) return []
+    const textOf = ({start, end}: Range) =>
+      document.program.text.slice(definition.start + start, definition.start + end)
+    return tree.texts.every(t => before.program.text.includes(textOf(t))) ? [definition.name] : []
+  })
 }
 
-/// The places that the compiler told of on the lines of a definition. Their columns count characters, offsets UTF-16 units.
-function placesIn(
-  text: string,
-  lines: readonly number[],
-  {at}: TypesAtPlaces,
-  definition: Range,
-): readonly Range[] {
-  const offset = (line: number, column: number): number => {
-    const start = lines[line - 1] ?? text.length
-    let units = 0
-    for (let i = 1; i < column; i++) units += (text.codePointAt(start + units) ?? 0) > 0xffff ? 2 : 1
-    return start + units
-  }
-  return at.flatMap(([line = 0, column = 0, endLine = 0, endColumn = 0]) => {
-    const isNear =
-      (lines[line - 1] ?? 0) <= definition.end && (lines[endLine] ?? text.length) >= definition.start
-    return isNear ? [{start: offset(line, column), end: offset(endLine, endColumn)}] : []
-  })
+function changedDefinitions({program}: Document, before: Document): readonly Definition[] {
+  const textOf = ({text}: Program, {start, end}: Range) => text.slice(start, end)
+  const known = new Set(before.program.definitions.map(d => textOf(before.program, d)))
+  return program.definitions.filter(d => !known.has(textOf(program, d)))
+}
+
+function groupsOf({view}: Document, {start}: Definition): ReturnType<typeof syntaxGroups> {
+  const piece = view?.module.pieces.find(p => p.kind === "declaration" && p.core.start === start)
+  return piece === undefined ? undefined : syntaxGroups(piece)
+}
+
+/// The places of the types that are told.
+function placesOfTypes(text: string, {at}: TypesAtPlaces): readonly Range[] {
+  const offset = characterOffsets(text)
+  return at.map(([line = 1, column = 1, endLine = 1, endColumn = 1]) => ({
+    start: offset(line, column),
+    end: offset(endLine, endColumn),
+  }))
 }
 
 function widestOfEach(spans: readonly Span[]): readonly Range[] {

@@ -19,7 +19,7 @@ import {nodeOf} from "../state/runs/run_tree.ts"
 import {type Effect, still, type Transition, unreachable} from "../state/transition.ts"
 import {refusedSockets} from "../state/visible_findings.ts"
 import type {Request} from "../wire/page/page.generated.ts"
-import {check, withoutRegrouping} from "./document_reducer.ts"
+import {check, withoutMisreading} from "./document_reducer.ts"
 import {beginReplay, endReplay} from "./recording_reducer.ts"
 import {explain, withLessons} from "./request_reducer.ts"
 import {observeMessage, runMessage} from "./run_reducer.ts"
@@ -164,7 +164,7 @@ function greet(state: PageState, {session}: Message<"hello">): Transition {
 function withCheck(state: PageState, message: Message<"checked">): Transition {
   if (message.id !== state.checks) return still(state)
   const {program} = state.document
-  const back = withoutRegrouping(state, message.types)
+  const back = withoutMisreading(state, message)
   if (back !== null) return back
   const compiler = message.problems.map(p => locateProblem(program, p, "compiler"))
   const accepted = !compiler.some(f => f.severity === "error")
@@ -172,12 +172,20 @@ function withCheck(state: PageState, message: Message<"checked">): Transition {
     ...state,
     declared: message.declarations,
     types: {...message.types, text: program.text},
+    parsed: message.groups === null ? state.parsed : withParsed(state.parsed, program.text),
     network: accepted ? {parts: message.parts, text: program.text} : state.network,
     // A text that cannot be read has none: a message can still be sent to the program that runs.
     topics: accepted || message.topics.length > 0 ? message.topics : state.topics,
     findings: {...state.findings, compiler},
     accepted,
   })
+}
+
+/// Texts that are remembered: a step of the history joins some quick edits.
+const maxParsed = 8
+
+function withParsed(parsed: readonly string[], text: string): readonly string[] {
+  return [text, ...parsed.filter(t => t !== text)].slice(0, maxParsed)
 }
 
 function withRunState(state: PageState, message: Message<"state">): PageState {

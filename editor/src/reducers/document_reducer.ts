@@ -1,6 +1,6 @@
 /// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
 
-import {otherwiseGrouped} from "../program/compiler_groups.ts"
+import {type CompilerReading, changedByBlocks, otherwiseGrouped} from "../program/compiler_groups.ts"
 import {type Document, recordChange, redo, undo} from "../program/history.ts"
 import {type Finding, mapFix, mapRange} from "../program/program.ts"
 import {type ChangeDesc, changesBetween} from "../program/text_changes.ts"
@@ -13,7 +13,6 @@ import {isActive, nextRun} from "../state/runs/run_state.ts"
 import {noRuns} from "../state/runs/run_tree.ts"
 import {type Effect, sending, still, type Transition, unreachable} from "../state/transition.ts"
 import {refusedSockets} from "../state/visible_findings.ts"
-import type {TypesAtPlaces} from "../wire/worker.generated.ts"
 
 /// Applies a change of the program, of its name, or of what is stored of it.
 export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Transition {
@@ -146,16 +145,18 @@ function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Tran
   })
 }
 
-/// Takes the last edit of blocks back when the compiler groups what it has changed in another way than the blocks; `null` when there is nothing
-/// to take back. It cannot be made again by Redo. Text that is being typed stays.
-export function withoutRegrouping(state: PageState, types: TypesAtPlaces): Transition | null {
+/// Takes the last edit of blocks back when the compiler groups what it has changed in another way than the blocks, or cannot parse it although it
+/// could parse the program before; `null` when there is nothing to take back. It cannot be made again by Redo. Text that is being typed
+/// stays.
+export function withoutMisreading(state: PageState, answer: CompilerReading): Transition | null {
   const {history, document} = state
   const before = history.past.at(-1)
   if (history.last?.by !== "blocks" || before === undefined || state.pendingText !== null) return null
-  const names = otherwiseGrouped(document.program, before.program, types)
+  const isUnreadable = answer.groups === null && state.parsed.includes(before.program.text)
+  const names = isUnreadable ? changedByBlocks(document, before) : otherwiseGrouped(document, before, answer)
   if (names.length === 0) return null
   const past = history.past.slice(0, -1)
-  const notice = {kind: "grouped-otherwise", names} as const
+  const notice = {kind: isUnreadable ? "unreadable-edit" : "grouped-otherwise", names} as const
   return changeTo({...state, history: {past, future: [], last: null}, notice}, before)
 }
 

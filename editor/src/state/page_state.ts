@@ -108,6 +108,8 @@ export type Notice =
   | {readonly kind: "other-meaning"; readonly names: readonly string[]}
   /// An edit of blocks was taken back: the compiler groups the new text of these definitions in another way than the blocks.
   | {readonly kind: "grouped-otherwise"; readonly names: readonly string[]}
+  /// An edit of blocks was taken back: the compiler cannot read the new text of these definitions, and could read the text before.
+  | {readonly kind: "unreadable-edit"; readonly names: readonly string[]}
   /// An edit of blocks would have lost what is unfinished in the text of these definitions.
   | {readonly kind: "unfinished-text"; readonly names: readonly string[]}
   /// Two tabs changed the same program; this tab's version is stored as the copy.
@@ -169,6 +171,8 @@ export interface PageState {
   readonly declared: readonly Declaration[]
   /// The type of every piece of the text that the compiler has read last.
   readonly types: TypesAtPlaces & {readonly text: string}
+  /// The texts that the compiler could parse, newest first.
+  readonly parsed: readonly string[]
   /// What the newest program without mistakes runs, and its text; `null` before the first.
   readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
   /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
@@ -296,6 +300,7 @@ export const initialState: PageState = {
   speed: 1,
   declared: [],
   types: {text: "", names: [], at: []},
+  parsed: [],
   network: null,
   topics: [],
   diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false, places: {}},

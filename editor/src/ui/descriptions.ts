@@ -77,6 +77,8 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return {message: w.otherMeaning.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "grouped-otherwise":
       return {message: w.groupedOtherwise.message(joined(notice.names)), hint: w.otherMeaning.hint}
+    case "unreadable-edit":
+      return {message: w.unreadableEdit.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "unfinished-text":
       return {message: w.unfinishedText.message(joined(notice.names)), hint: w.unfinishedText.hint}
     case "not-saved":

@@ -44,6 +44,8 @@ export interface Checked {
   readonly declarations: readonly Declaration[]
   readonly graph: unknown
   readonly types: TypesAtPlaces
+  /// Places of the composite nodes of the parsed program, four numbers each; none when it cannot be parsed.
+  readonly groups: readonly number[] | null
 }
 export const checked: read.Decoder<Checked> = /*#__PURE__*/ read.struct<Checked>({
   op: read.tag("checked"),
@@ -52,6 +54,7 @@ export const checked: read.Decoder<Checked> = /*#__PURE__*/ read.struct<Checked>
   declarations: read.absent(read.items(declaration), []),
   graph: read.absent(read.unknown, {"functions": []}),
   types: read.absent(typesAtPlaces, {"names": [], "at": []}),
+  groups: read.absent(read.nullable(read.items(read.integer)), null),
 })
 
 /// What can stand at a place.

@@ -6,6 +6,7 @@ import {type Document, emptyDocument} from "../../src/program/history.ts"
 import {emptyProgram, type Program} from "../../src/program/program.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {noticeText} from "../../src/ui/descriptions.ts"
+import type {TypesAtPlaces} from "../../src/wire/worker.generated.ts"
 import {hear, open, play} from "./event_player.ts"
 
 /// A program of one definition, whose blocks are these pieces of its text.
@@ -32,31 +33,36 @@ function places(text: string, ...pieces: readonly string[]) {
   return {names: ["Int"], at}
 }
 
+function grouped(program: Program, types: TypesAtPlaces, before: Program = emptyProgram): readonly string[] {
+  const documentOf = (p: Program): Document => ({...emptyDocument, program: p})
+  return otherwiseGrouped(documentOf(program), documentOf(before), {types, groups: null})
+}
+
 describe("groups of the compiler", () => {
   const text = "x = a * b + c"
   const whole = "a * b + c"
 
   it("are those of the blocks, with pieces that only one of the two tells of", () => {
     const program = programOf(text, whole, "a * b", "c")
-    expect(otherwiseGrouped(program, emptyProgram, places(text, whole, "a * b", "a", "b", "c"))).toEqual([])
-    expect(otherwiseGrouped(program, emptyProgram, places(text, whole))).toEqual([])
+    expect(grouped(program, places(text, whole, "a * b", "a", "b", "c"))).toEqual([])
+    expect(grouped(program, places(text, whole))).toEqual([])
   })
 
   it("are others than those of the blocks", () => {
     const program = programOf(text, whole, "b + c")
-    expect(otherwiseGrouped(program, emptyProgram, places(text, whole, "a * b"))).toEqual(["x"])
+    expect(grouped(program, places(text, whole, "a * b"))).toEqual(["x"])
   })
 
   it("are compared on later lines and behind characters of two units", () => {
     const later = "x = f 1\n  (g '😀' a * b + c)"
     const told = places(later, "f 1\n  (g '😀' a * b + c)", "1", "'😀'", "g '😀' a * b")
-    expect(otherwiseGrouped(programOf(later, "1", "g '😀' a * b"), emptyProgram, told)).toEqual([])
-    expect(otherwiseGrouped(programOf(later, "1", "b + c"), emptyProgram, told)).toEqual(["x"])
+    expect(grouped(programOf(later, "1", "g '😀' a * b"), told)).toEqual([])
+    expect(grouped(programOf(later, "1", "b + c"), told)).toEqual(["x"])
   })
 
   it("do not count in a definition that has not changed", () => {
     const program = programOf(text, whole, "b + c")
-    expect(otherwiseGrouped(program, program, places(text, whole, "a * b"))).toEqual([])
+    expect(grouped(program, places(text, whole, "a * b"), program)).toEqual([])
   })
 })
 
@@ -78,6 +84,7 @@ describe("an edit", () => {
       parts: [],
       topics: [],
       types: places(text, ...pieces),
+      groups: null,
     })
   const checked = (by: "blocks" | "haskell", ...pieces: readonly string[]) => {
     const {state} = play(open, change(by))

@@ -112,6 +112,7 @@ describe("the compiler", () => {
         parts: [],
         topics: [],
         types: {names: [], at: []},
+        groups: null,
       })
     expect(play(state, checked(ids[0] ?? -1)).state.findings.compiler).toEqual([])
     expect(play(state, checked(ids[1] ?? -1)).state.findings.compiler).toHaveLength(1)
@@ -134,6 +135,7 @@ describe("the compiler", () => {
           parts: [],
           topics: [],
           types: {names: [], at: []},
+          groups: null,
         }),
       ).state
     expect(trustedFindings(doubted)).toHaveLength(2)

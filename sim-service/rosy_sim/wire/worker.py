@@ -83,6 +83,8 @@ class Checked(msgspec.Struct, tag="checked", tag_field="op"):
     declarations: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": list[Declaration]})] = msgspec.Raw(b"[]")
     graph: msgspec.Raw = msgspec.Raw(b'{"functions":[]}')
     types: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": TypesAtPlaces})] = msgspec.Raw(b'{"names":[],"at":[]}')
+    # Places of the composite nodes of the parsed program, four numbers each; none when it cannot be parsed.
+    groups: Annotated[msgspec.Raw, msgspec.Meta(extra={"holds": list[int] | None})] = msgspec.Raw(b"null")
 
 
 class Completed(msgspec.Struct, tag="completed", tag_field="op", omit_defaults=True):

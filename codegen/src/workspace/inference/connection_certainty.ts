@@ -33,10 +33,10 @@ export function doubtAbout(
   // The type of a definition without a signature may follow from the block, and be used where only GHC knows what is wanted.
   const isSpreading = !types.isSigned && openEndsIn(types.wanted).size > 0
   // What is remembered of other definitions does not say what is unknown in them.
-  const {holes, sockets, foreignNames} = isSpreading
+  const {settledHoles, holes, sockets, foreignNames} = isSpreading
     ? inferModel(readWorkspace(connected), {apart: block}).inference
     : inference
-  const unknown = holes.filter(hole => !sockets.has(hole))
+  const unknown = [...settledHoles, ...holes].filter(hole => !sockets.has(hole))
   const foreign = isSpreading
     ? unknown
     : unknown.filter(hole => [...openEndsIn(hole)].some(end => ends.has(end)))

@@ -442,6 +442,10 @@ export const page: Omit<
       message: name =>
         `Der Compiler fasst den Haskell-Text von ${name} anders zusammen als die Blöcke. Die letzte Änderung an den Blöcken wurde zurückgenommen.`,
     },
+    unreadableEdit: {
+      message: name =>
+        `Der Compiler kann den Haskell-Text von ${name} nach dieser Änderung nicht lesen. Die letzte Änderung an den Blöcken wurde zurückgenommen.`,
+    },
     unfinishedText: {
       message: name =>
         `Im Haskell-Text noch nicht fertig: ${name}. Diese Änderung an den Blöcken wurde nicht gemacht.`,

@@ -444,6 +444,10 @@ export const page = {
       message: (name: string) =>
         `The compiler groups the Haskell text of ${name} differently from the blocks. The last change of the blocks was taken back.`,
     },
+    unreadableEdit: {
+      message: (name: string) =>
+        `The compiler cannot read the Haskell text of ${name} after this change. The last change of the blocks was taken back.`,
+    },
     unfinishedText: {
       message: (name: string) =>
         `Not finished in the Haskell text: ${name}. This change of the blocks was not made.`,

@@ -452,6 +452,10 @@ export const page: Omit<
       message: name =>
         `El compilador no agrupa el texto Haskell de ${name} como los bloques. Se ha deshecho el último cambio de los bloques.`,
     },
+    unreadableEdit: {
+      message: name =>
+        `Después de este cambio, el compilador no puede leer el texto Haskell de ${name}. Se ha deshecho el último cambio de los bloques.`,
+    },
     unfinishedText: {
       message: name =>
         `Todavía no está completo en el texto Haskell: ${name}. Este cambio de los bloques no se ha hecho.`,

@@ -453,6 +453,10 @@ export const page: Omit<
       message: name =>
         `Le compilateur ne regroupe pas le texte Haskell de ${name} comme les blocs. Le dernier changement des blocs a été annulé.`,
     },
+    unreadableEdit: {
+      message: name =>
+        `Après ce changement, le compilateur ne peut pas lire le texte Haskell de ${name}. Le dernier changement des blocs a été annulé.`,
+    },
     unfinishedText: {
       message: name =>
         `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n'a pas été fait.`,

@@ -444,6 +444,10 @@ export const page: Omit<
       message: name =>
         `O compilador não agrupa o texto Haskell de ${name} como os blocos. A última mudança nos blocos foi desfeita.`,
     },
+    unreadableEdit: {
+      message: name =>
+        `Depois dessa mudança, o compilador não consegue ler o texto Haskell de ${name}. A última mudança nos blocos foi desfeita.`,
+    },
     unfinishedText: {
       message: name =>
         `Ainda não está completo no texto Haskell: ${name}. Esta mudança nos blocos não foi feita.`,

@@ -139,7 +139,7 @@ checkSource settings purpose session source = do
   let certain = withoutHiddenEnds (explainAll (outline found) (refusals found) (messages found))
       advised = if any isError certain then certain else maybe certain (withTextualAdvice (outline found) . (certain ++) . staticAdvice (outline found)) (facts found)
       all' = advised ++ [p | p <- directionControls source, place p `notElem` map place certain]
-      report = Report all' (declared found) (connected found) (network found) (onTopics found) (typed found)
+      report = Report all' (declared found) (connected found) (network found) (onTopics found) (typed found) (grouped found)
       places = emptyPlaces (outline found) (messages found)
   pure (report, if any isError all' then Nothing else (,places) <$> ready found)
   where

@@ -68,6 +68,7 @@ import Rosy.Worker.Ghc.ProgramFacts (programFacts)
 import Rosy.Worker.Ghc.ProgramGraph (programGraph)
 import Rosy.Worker.Ghc.Session
 import Rosy.Worker.Ghc.SpanTypes
+import Rosy.Worker.Ghc.SyntaxGroups (syntaxGroups)
 import Rosy.Worker.Ghc.TaskAttribution
 import Rosy.Worker.Ghc.TopicConnections (topicConnections)
 import Rosy.Worker.Ghc.TreeRewrite
@@ -167,6 +168,8 @@ data Analysis = Analysis
     -- | The topics that the program connects its own types to, in the order of the text.
     onTopics :: [Connection],
     typed :: [Typed],
+    -- | The composite nodes of the parsed program; absent when it cannot be parsed.
+    grouped :: Maybe [Placed.Span],
     -- | Present if the program can run, unless a type error remains that has another cause than an empty place.
     ready :: Maybe Ready
   }
@@ -190,16 +193,18 @@ analyseProgram restriction purpose session source = do
         let listed = if restriction == Restricted then treeRefusals columns source parsed else []
         unsafe <- if restriction == Unrestricted || not (null listed) then pure [] else unsafeImports (withFlags flags (environment session)) columns parsed
         let refused = listed ++ unsafe
-        if null refused
-          then check restriction purpose session flags columns source (L at parsed) warnings
-          else pure (stopped refused warnings)
+        found <-
+          if null refused
+            then check restriction purpose session flags columns source (L at parsed) warnings
+            else pure (stopped refused warnings)
+        pure found {grouped = Just (syntaxGroups (spanAt columns) parsed)}
   where
     columns = tabStopsOf source
     buffer = stringToStringBuffer (Text.unpack source)
     allowing flags
       | restriction /= Unrestricted = flags
       | otherwise = (xopt_set flags ForeignFunctionInterface) {safeHaskell = Sf_None}
-    stopped found raws = Analysis found raws (emptyOutline source) Nothing [] [] [] [] [] Nothing
+    stopped found raws = Analysis found raws (emptyOutline source) Nothing [] [] [] [] [] Nothing Nothing
 
 -- | Used by tests of the other protections: links a program with foreign calls without the C stubs that GHC would generate and cannot write
 -- here.
@@ -242,7 +247,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
             declarations = describeDeclarations flags placed tcg
             spans = typedSpans tcg
             known = outlined {connectedTo = connections, spelledOut = describe SpelledOut, typesOfNames = [(declares d, ofType d) | d <- declarations]}
-         in Analysis (noMain ++ twice ++ doubtful ++ endless tcg) raws known (factsOf raws) declarations connections (if bad raws && not (mayBeUnfinished raws) then [] else programGraph (showType flags) (spanAt columns) connectedTopics parsed tcg spans) connectedTopics (typesAt (showType flags) (spanAt columns) (derivedSpans parsed) spans) next
+         in Analysis (noMain ++ twice ++ doubtful ++ endless tcg) raws known (factsOf raws) declarations connections (if bad raws && not (mayBeUnfinished raws) then [] else programGraph (showType flags) (spanAt columns) connectedTopics parsed tcg spans) connectedTopics (typesAt (showType flags) (spanAt columns) (derivedSpans parsed) spans) Nothing next
       factsOf raws = if purpose == ForCheck && not (bad raws || hasHoles raws) then Just (programFacts (spanAt columns) (`onLinesContaining` source) (`onLinesApplying` source) (map Text.pack names) parsed) else Nothing
       endless tcg =
         [ problemAt s "no-default" (trWith "A memory of ‘{name}’ has no first value." ["name" =: name]) (tr "Every way to make one needs a value that has none either. Add a constructor without fields.")
@@ -251,7 +256,7 @@ check restriction purpose session flags columns source (L at parsed) warnings = 
             Just s <- [spanAt columns spot]
         ]
   case outcome of
-    Nothing -> pure (Analysis (noMain ++ doubtful) found outlined Nothing [] [] [] connectedTopics [] Nothing)
+    Nothing -> pure (Analysis (noMain ++ doubtful) found outlined Nothing [] [] [] connectedTopics [] Nothing Nothing)
     Just tcg
       | mayBeUnfinished found, not (any isError (noMain ++ endless tcg)), purpose /= ForCheck -> pure (whole found tcg (readyWith tcg env summary))
       | bad found || hasHoles found -> pure (whole found tcg Nothing)

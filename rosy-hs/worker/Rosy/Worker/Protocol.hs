@@ -166,10 +166,17 @@ reportFields report =
     <> "declarations" .= declarations report
     <> pair "graph" (pairs ("functions" .= functions report <> "parts" .= parts report <> "topics" .= topics report))
     <> pair "types" (pairs ("names" .= Map.keys names <> pair "at" (list place (types report))))
+    <> maybe mempty (pair "groups" . list int . placesOfGroups) (groups report)
   where
     -- Each type is written once; a position in the list is five numbers.
     names = Map.fromDistinctAscList (zip (Set.toAscList (Set.fromList (map hasType (types report)))) [0 :: Int ..])
     place (Typed (Span (Position l c) (Position l' c')) t) = list int [l, c, l', c', names Map.! t]
+
+-- | Four numbers for each span: lines since the start of the span before, column, lines to the end, column of the end.
+placesOfGroups :: [Span] -> [Int]
+placesOfGroups spans = concat (zipWith numbers (1 : [l | Span (Position l _) _ <- spans]) spans)
+  where
+    numbers before (Span (Position l c) (Position l' c')) = [l - before, c, l' - l, c']
 
 -- | The branches of a program as a member of @started@; none when it has none.
 branchFields :: [Branch] -> Series

@@ -8,7 +8,7 @@ module Rosy.Worker.Report
 where
 
 import Rosy.Worker.Graph (Connection, Part)
-import Rosy.Worker.Problem (Declaration, Function, Problem, Typed)
+import Rosy.Worker.Problem (Declaration, Function, Problem, Span, Typed)
 
 data Report = Report
   { problems :: ![Problem],
@@ -19,9 +19,11 @@ data Report = Report
     -- | The topics that the program connects its own types to, in the order of the text. Not strict either.
     topics :: [Connection],
     -- | In source order, outer spans before inner ones.
-    types :: ![Typed]
+    types :: ![Typed],
+    -- | The composite nodes of the parsed program ("Rosy.Worker.Ghc.SyntaxGroups"); absent when it cannot be parsed. Not strict either.
+    groups :: Maybe [Span]
   }
   deriving (Eq, Show)
 
 emptyReport :: [Problem] -> Report
-emptyReport ps = Report ps [] [] [] [] []
+emptyReport ps = Report ps [] [] [] [] [] Nothing
