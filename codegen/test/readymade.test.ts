@@ -151,6 +151,11 @@ const robotWords = {
     ["along", "followWall"],
     ["table", "stopAtEdge"],
     ["cliff", "stopAtEdge"],
+    ["pen", "step_pen_down"],
+    ["draw", "step_pen_down"],
+    ["turtle", "step_pen_up"],
+    ["ink", "step_pen_color"],
+    ["thick", "step_pen_width"],
   ],
   de: [
     ["vorwärts", "step_drive"],
@@ -171,6 +176,10 @@ const robotWords = {
     ["entlang", "followWall"],
     ["tisch", "stopAtEdge"],
     ["abgrund", "stopAtEdge"],
+    ["stift", "step_pen_down"],
+    ["zeichnen", "step_pen_down"],
+    ["malen", "step_pen_color"],
+    ["dick", "step_pen_width"],
   ],
   pt: [
     ["frente", "step_drive"],
@@ -190,6 +199,9 @@ const robotWords = {
     ["beira", "stopAtEdge"],
     ["seguir", "followWall"],
     ["mesa", "stopAtEdge"],
+    ["caneta", "step_pen_down"],
+    ["desenhar", "step_pen_down"],
+    ["tinta", "step_pen_color"],
   ],
   es: [
     ["adelante", "step_drive"],
@@ -211,6 +223,9 @@ const robotWords = {
     ["borde", "stopAtEdge"],
     ["seguir", "followWall"],
     ["mesa", "stopAtEdge"],
+    ["lápiz", "step_pen_down"],
+    ["dibujar", "step_pen_down"],
+    ["tinta", "step_pen_color"],
   ],
   fr: [
     ["avancer", "step_drive"],
@@ -231,6 +246,9 @@ const robotWords = {
     ["bord", "stopAtEdge"],
     ["longer", "followWall"],
     ["table", "stopAtEdge"],
+    ["stylo", "step_pen_down"],
+    ["dessiner", "step_pen_down"],
+    ["encre", "step_pen_color"],
   ],
 } as const
 

@@ -36,6 +36,9 @@ module Rosy
     ExternalPower (..),
     MotorPower (..),
     Sound (..),
+    Pen (..),
+    PenColor (..),
+    PenWidth (..),
     Say (..),
 
     -- * What happened
@@ -126,6 +129,10 @@ module Rosy
     eitherOr,
     blink,
     beep,
+    penDown,
+    penUp,
+    penColor,
+    penWidth,
 
     -- * Tasks with more
     task',

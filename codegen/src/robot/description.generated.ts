@@ -118,6 +118,10 @@ export const robot = {
       "command",
       "command"
     ],
+    "PenWidth": [
+      "command",
+      "command"
+    ],
     "Say": [
       "command",
       "command"
@@ -300,6 +304,18 @@ export const robot = {
       "command",
       "command"
     ],
+    "Pen": [
+      "command",
+      "command"
+    ],
+    "PenColor": [
+      "command",
+      "command"
+    ],
+    "PenWidth": [
+      "command",
+      "command"
+    ],
     "Say": [
       "command",
       "command"
@@ -364,13 +380,19 @@ export const robot = {
       "ExternalPower",
       "MotorPower",
       "Sound",
+      "Pen",
+      "PenColor",
+      "PenWidth",
       "Say"
     ],
     "held": [
       "Velocity",
       "Led1",
       "Led2",
-      "MotorPower"
+      "MotorPower",
+      "Pen",
+      "PenColor",
+      "PenWidth"
     ],
     "records": [
       "Bumper",
@@ -402,6 +424,7 @@ export const robot = {
       "Led1",
       "Led2",
       "ExternalPower",
+      "PenWidth",
       "Say"
     ]
   },
@@ -537,6 +560,23 @@ export const robot = {
         "5": "CleaningStartSound",
         "6": "CleaningEndSound"
       }
+    ],
+    "Pen": [
+      {
+        "0": "PenUp",
+        "1": "PenDown"
+      }
+    ],
+    "PenColor": [
+      {
+        "0": "BlackInk",
+        "1": "RedInk",
+        "2": "OrangeInk",
+        "3": "YellowInk",
+        "4": "GreenInk",
+        "5": "BlueInk",
+        "6": "PurpleInk"
+      }
     ]
   },
   "units": {
@@ -571,6 +611,9 @@ export const robot = {
       "rad",
       "m",
       "m",
+      "m"
+    ],
+    "PenWidth": [
       "m"
     ]
   },
@@ -703,6 +746,27 @@ export const robot = {
         "CleaningStartSound",
         "CleaningEndSound"
       ]
+    },
+    "Pen": {
+      "family": "command",
+      "word": "Pen",
+      "options": [
+        "PenDown",
+        "PenUp"
+      ]
+    },
+    "PenColor": {
+      "family": "command",
+      "word": "PenColor",
+      "options": [
+        "BlackInk",
+        "RedInk",
+        "OrangeInk",
+        "YellowInk",
+        "GreenInk",
+        "BlueInk",
+        "PurpleInk"
+      ]
     }
   },
   "toolbox": [
@@ -795,6 +859,27 @@ export const robot = {
       "kind": "command",
       "parts": [
         "MotorsOff"
+      ]
+    },
+    {
+      "type": "Pen",
+      "kind": "command",
+      "parts": [
+        "PenDown"
+      ]
+    },
+    {
+      "type": "PenColor",
+      "kind": "command",
+      "parts": [
+        "BlueInk"
+      ]
+    },
+    {
+      "type": "PenWidth",
+      "kind": "command",
+      "parts": [
+        "0.05"
       ]
     }
   ],
@@ -928,6 +1013,26 @@ export const robot = {
           "CleaningStartSound",
           "CleaningEndSound"
         ]
+      ],
+      "Pen": [
+        [
+          "PenUp",
+          "PenDown"
+        ]
+      ],
+      "PenColor": [
+        [
+          "BlackInk",
+          "RedInk",
+          "OrangeInk",
+          "YellowInk",
+          "GreenInk",
+          "BlueInk",
+          "PurpleInk"
+        ]
+      ],
+      "PenWidth": [
+        "Double"
       ],
       "Say": [
         "String"

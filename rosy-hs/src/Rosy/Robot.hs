@@ -1119,6 +1119,78 @@ instance Packed Sound where
   unpack (Whole 6 : rest) = Just (CleaningEndSound, rest)
   unpack _ = Nothing
 
+-- | Lower or raise the pen under the middle of the robot. A lowered pen draws where the robot drives. It is up at
+-- the start.
+data Pen
+  = PenUp
+  | PenDown
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value Pen
+
+instance Default Pen
+
+instance Packed Pen where
+  pack PenUp = [Whole 0]
+  pack PenDown = [Whole 1]
+  unpack (Whole 0 : rest) = Just (PenUp, rest)
+  unpack (Whole 1 : rest) = Just (PenDown, rest)
+  unpack _ = Nothing
+
+-- | Choose the ink of the pen for what it draws from now on. It is black at the start.
+data PenColor
+  = BlackInk
+  | RedInk
+  | OrangeInk
+  | YellowInk
+  | GreenInk
+  | BlueInk
+  | PurpleInk
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value PenColor
+
+instance Default PenColor
+
+instance Packed PenColor where
+  pack BlackInk = [Whole 0]
+  pack RedInk = [Whole 1]
+  pack OrangeInk = [Whole 2]
+  pack YellowInk = [Whole 3]
+  pack GreenInk = [Whole 4]
+  pack BlueInk = [Whole 5]
+  pack PurpleInk = [Whole 6]
+  unpack (Whole 0 : rest) = Just (BlackInk, rest)
+  unpack (Whole 1 : rest) = Just (RedInk, rest)
+  unpack (Whole 2 : rest) = Just (OrangeInk, rest)
+  unpack (Whole 3 : rest) = Just (YellowInk, rest)
+  unpack (Whole 4 : rest) = Just (GreenInk, rest)
+  unpack (Whole 5 : rest) = Just (BlueInk, rest)
+  unpack (Whole 6 : rest) = Just (PurpleInk, rest)
+  unpack _ = Nothing
+
+-- | Choose how wide the pen draws from now on, in metres. It is 0.03 at the start.
+newtype PenWidth = PenWidth
+  { -- | The width of the stroke, metres; what is drawn has at least 0.002 and at most 0.5.
+    penMeters :: Double
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show PenWidth where showsPrec = display
+
+instance Read PenWidth where
+  readPrec = parens (prec 10 (do Read.Ident "PenWidth" <- lexP; PenWidth <$> step readPrec))
+  readListPrec = Read.readListPrecDefault
+
+instance Value PenWidth where
+  display d (PenWidth x0) = showParen (d > 10) (showString "PenWidth" . showChar ' ' . display 11 x0)
+
+instance Default PenWidth
+
+instance Packed PenWidth where
+  pack (PenWidth x0) = pack x0
+  unpack f0 = do (x0, f1) <- unpack f0; Just (PenWidth x0, f1)
+
 -- | Write a line in the console and in a bubble over the robot.
 newtype Say = Say String
   deriving (Eq, Ord, Generic)
@@ -1370,9 +1442,48 @@ pattern SoundCommand x <-
 
 instance Command Sound where command = sent "number" soundChannel
 
+-- | The channel of 'Pen'.
+penChannel :: Channel
+penChannel = channel (id :: Pen -> Pen) 20 "Pen" CommandChannel 0 Nothing
+
+-- | A 'Pen' on its channel.
+pattern PenCommand :: Pen -> Action
+pattern PenCommand x <-
+  Action c (typed penChannel c -> Just x)
+  where
+    PenCommand x = Action penChannel (pack x)
+
+instance Command Pen where command = sent "number" penChannel
+
+-- | The channel of 'PenColor'.
+penColorChannel :: Channel
+penColorChannel = channel (id :: PenColor -> PenColor) 21 "PenColor" CommandChannel 0 Nothing
+
+-- | A 'PenColor' on its channel.
+pattern PenColorCommand :: PenColor -> Action
+pattern PenColorCommand x <-
+  Action c (typed penColorChannel c -> Just x)
+  where
+    PenColorCommand x = Action penColorChannel (pack x)
+
+instance Command PenColor where command = sent "number" penColorChannel
+
+-- | The channel of 'PenWidth'.
+penWidthChannel :: Channel
+penWidthChannel = channel (id :: PenWidth -> PenWidth) 22 "PenWidth" CommandChannel 0 Nothing
+
+-- | A 'PenWidth' on its channel.
+pattern PenWidthCommand :: PenWidth -> Action
+pattern PenWidthCommand x <-
+  Action c (typed penWidthChannel c -> Just x)
+  where
+    PenWidthCommand x = Action penWidthChannel (pack x)
+
+instance Command PenWidth where command = sent "number" penWidthChannel
+
 -- | The channel of 'Say'.
 sayChannel :: Channel
-sayChannel = channel (id :: Say -> Say) 20 "Say" CommandChannel 0 Nothing
+sayChannel = channel (id :: Say -> Say) 23 "Say" CommandChannel 0 Nothing
 
 -- | A 'Say' on its channel.
 pattern SayCommand :: Say -> Action

@@ -161,6 +161,21 @@ def test_draw_square_turns_at_four_corners_half_a_metre_apart_and_ends_where_it_
     assert (world.v, world.w) == (0.0, 0.0)
 
 
+def test_draw_star_draws_five_lines_of_a_metre_and_raises_the_pen(worker: BlockingWorker) -> None:
+    run = example(worker, "drawStar", 90)
+    assert run.outcome.ended == "done"
+    assert [c for line in run.lines for c in line["commands"] if c.startswith("Pen") or c.endswith("Ink")] == [
+        "BlueInk",
+        "PenWidth 0.05",
+        "PenDown",
+        "PenUp",
+    ]
+    drawn = [line for line in run.lines if line["v"] > 0.2]
+    assert all(math.dist((line["x"], line["y"]), (10.0, 10.0)) < 1.05 for line in drawn)
+    assert math.dist((run.world.x, run.world.y), (10.0, 10.0)) < 0.05
+    assert run.world.channels()["Pen"] == (0,)
+
+
 @pytest.mark.parametrize(("start", "distance"), [((1.5, 2.0, 0.0), 332), ((2.5, 2.0, 0.0), 232)])
 def test_measure_says_the_distance_it_drove(
     start: tuple[float, float, float], distance: int, worker: BlockingWorker

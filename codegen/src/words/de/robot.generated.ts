@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Schaltet einen Stromanschluss ein oder aus. Beispiel: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "Breite, Meter"
+      ],
+      "tooltip": "Stellt, wie breit der Stift zeichnet. Beispiel: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "Text"
@@ -218,7 +224,9 @@ export const robot = {
     "PowerSource": "Anschluss",
     "PowerStatus": "Zustand",
     "MotorPower": "Motoren",
-    "Sound": "Ton"
+    "Sound": "Ton",
+    "Pen": "Stift",
+    "PenColor": "Stiftfarbe"
   },
   "nouns": {
     "BumperSide": "eine Seite der Stoßstange",
@@ -261,6 +269,9 @@ export const robot = {
     "ExternalPower": "ein Stromschalter",
     "MotorPower": "ein Motorschalter",
     "Sound": "ein Ton",
+    "Pen": "eine Stellung des Stifts",
+    "PenColor": "eine Stiftfarbe",
+    "PenWidth": "eine Stiftbreite",
     "Say": "etwas zu sagen"
   },
   "names": {
@@ -293,6 +304,9 @@ export const robot = {
     "ExternalPower": "Anschluss Strom Volt Versorgung",
     "MotorPower": "Räder Antrieb aus Bremse",
     "Sound": "Ton Geräusch Musik piepen",
+    "Pen": "Stift zeichnen malen Zeichnung Bild Schildkröte Linie Strich absetzen",
+    "PenColor": "Stift Tinte Farbe zeichnen malen bunt",
+    "PenWidth": "Stift dick dünn breit Strich zeichnen malen",
     "Say": "sprechen reden schreiben sagen"
   },
   "toolbox": {
@@ -305,7 +319,10 @@ export const robot = {
     "Ahead": "wenn es den Weg nach vorn misst",
     "Scan": "wenn es ringsum misst",
     "ExternalPower": "einen Stromanschluss schalten: ExternalPower",
-    "MotorPower": "die Motoren schalten: MotorPower"
+    "MotorPower": "die Motoren schalten: MotorPower",
+    "Pen": "den Stift senken: PenDown",
+    "PenColor": "die Farbe des Stifts wählen: PenColor",
+    "PenWidth": "die Breite des Stifts stellen: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -387,13 +404,29 @@ export const robot = {
       "ErrorSound": "Fehler",
       "CleaningStartSound": "Reinigung beginnt",
       "CleaningEndSound": "Reinigung endet"
+    },
+    "Pen": {
+      "PenUp": "oben",
+      "PenDown": "unten"
+    },
+    "PenColor": {
+      "BlackInk": "schwarz",
+      "RedInk": "rot",
+      "OrangeInk": "orange",
+      "YellowInk": "gelb",
+      "GreenInk": "grün",
+      "BlueInk": "blau",
+      "PurpleInk": "lila"
     }
   },
   "actuators": {
     "Velocity": "die Geschwindigkeit",
     "Led1": "das erste Licht",
     "Led2": "das zweite Licht",
-    "MotorPower": "den Strom der Motoren"
+    "MotorPower": "den Strom der Motoren",
+    "Pen": "den Stift",
+    "PenColor": "die Farbe des Stifts",
+    "PenWidth": "die Breite des Stifts"
   },
   "charts": {
     "bumperLeft": "Stoßstange links",

@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Switches a power connector on or off. Example: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "width, metres"
+      ],
+      "tooltip": "Sets how wide the pen draws. Example: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "text"
@@ -218,7 +224,9 @@ export const robot = {
     "PowerSource": "connector",
     "PowerStatus": "status",
     "MotorPower": "motors",
-    "Sound": "sound"
+    "Sound": "sound",
+    "Pen": "pen",
+    "PenColor": "pen colour"
   },
   "nouns": {
     "BumperSide": "a side of the bumper",
@@ -261,6 +269,9 @@ export const robot = {
     "ExternalPower": "a power switch",
     "MotorPower": "a motor switch",
     "Sound": "a sound",
+    "Pen": "a pen position",
+    "PenColor": "a pen colour",
+    "PenWidth": "a pen width",
     "Say": "something to say"
   },
   "names": {
@@ -293,6 +304,9 @@ export const robot = {
     "ExternalPower": "connector supply volts",
     "MotorPower": "wheels drive off brake",
     "Sound": "beep noise music tone",
+    "Pen": "pen draw drawing paint picture turtle logo line stroke",
+    "PenColor": "pen ink color draw paint",
+    "PenWidth": "pen thick thin broad stroke draw",
     "Say": "speak talk write print"
   },
   "toolbox": {
@@ -305,7 +319,10 @@ export const robot = {
     "Ahead": "when it measures the way ahead",
     "Scan": "when it measures all around",
     "ExternalPower": "switch a power connector: ExternalPower",
-    "MotorPower": "switch the motors: MotorPower"
+    "MotorPower": "switch the motors: MotorPower",
+    "Pen": "lower the pen: PenDown",
+    "PenColor": "choose the colour of the pen: PenColor",
+    "PenWidth": "set the width of the pen: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -387,13 +404,29 @@ export const robot = {
       "ErrorSound": "error",
       "CleaningStartSound": "cleaning starts",
       "CleaningEndSound": "cleaning ends"
+    },
+    "Pen": {
+      "PenUp": "up",
+      "PenDown": "down"
+    },
+    "PenColor": {
+      "BlackInk": "black",
+      "RedInk": "red",
+      "OrangeInk": "orange",
+      "YellowInk": "yellow",
+      "GreenInk": "green",
+      "BlueInk": "blue",
+      "PurpleInk": "purple"
     }
   },
   "actuators": {
     "Velocity": "the velocity",
     "Led1": "the first light",
     "Led2": "the second light",
-    "MotorPower": "the power of the motors"
+    "MotorPower": "the power of the motors",
+    "Pen": "the pen",
+    "PenColor": "the colour of the pen",
+    "PenWidth": "the width of the pen"
   },
   "charts": {
     "bumperLeft": "Left bumper",

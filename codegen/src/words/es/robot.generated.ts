@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Enciende o apaga un conector de corriente. Ejemplo: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "ancho, metros"
+      ],
+      "tooltip": "Ajusta el ancho del trazo del lápiz. Ejemplo: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texto"
@@ -218,7 +224,9 @@ export const robot = {
     "PowerSource": "conector",
     "PowerStatus": "estado",
     "MotorPower": "motores",
-    "Sound": "sonido"
+    "Sound": "sonido",
+    "Pen": "lápiz",
+    "PenColor": "color del lápiz"
   },
   "nouns": {
     "BumperSide": "un lado del parachoques",
@@ -261,6 +269,9 @@ export const robot = {
     "ExternalPower": "un interruptor de corriente",
     "MotorPower": "un interruptor de los motores",
     "Sound": "un sonido",
+    "Pen": "una posición del lápiz",
+    "PenColor": "un color del lápiz",
+    "PenWidth": "un ancho del lápiz",
     "Say": "algo que decir"
   },
   "names": {
@@ -293,6 +304,9 @@ export const robot = {
     "ExternalPower": "conector corriente alimentación voltios",
     "MotorPower": "motor ruedas apagar freno",
     "Sound": "sonido pitido pitar ruido música tono",
+    "Pen": "lápiz dibujar dibujo pintar tortuga línea trazo bolígrafo",
+    "PenColor": "lápiz tinta color dibujar pintar",
+    "PenWidth": "lápiz grueso fino ancho trazo dibujar",
     "Say": "hablar decir escribir mostrar"
   },
   "toolbox": {
@@ -305,7 +319,10 @@ export const robot = {
     "Ahead": "cuando mide el camino que tiene delante",
     "Scan": "cuando mide todo a su alrededor",
     "ExternalPower": "encender o apagar un conector de corriente: ExternalPower",
-    "MotorPower": "encender o apagar los motores: MotorPower"
+    "MotorPower": "encender o apagar los motores: MotorPower",
+    "Pen": "bajar el lápiz: PenDown",
+    "PenColor": "elegir el color del lápiz: PenColor",
+    "PenWidth": "ajustar el ancho del lápiz: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -387,13 +404,29 @@ export const robot = {
       "ErrorSound": "error",
       "CleaningStartSound": "empieza la limpieza",
       "CleaningEndSound": "termina la limpieza"
+    },
+    "Pen": {
+      "PenUp": "arriba",
+      "PenDown": "abajo"
+    },
+    "PenColor": {
+      "BlackInk": "negro",
+      "RedInk": "rojo",
+      "OrangeInk": "naranja",
+      "YellowInk": "amarillo",
+      "GreenInk": "verde",
+      "BlueInk": "azul",
+      "PurpleInk": "morado"
     }
   },
   "actuators": {
     "Velocity": "la velocidad",
     "Led1": "la primera luz",
     "Led2": "la segunda luz",
-    "MotorPower": "la corriente de los motores"
+    "MotorPower": "la corriente de los motores",
+    "Pen": "el lápiz",
+    "PenColor": "el color del lápiz",
+    "PenWidth": "el ancho del lápiz"
   },
   "charts": {
     "bumperLeft": "Parachoques izquierdo",

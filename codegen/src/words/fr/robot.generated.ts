@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Allume ou éteint une prise de courant du robot. Exemple : ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "largeur, mètres"
+      ],
+      "tooltip": "Règle la largeur du trait du stylo. Exemple : PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texte"
@@ -218,7 +224,9 @@ export const robot = {
     "PowerSource": "prise",
     "PowerStatus": "état",
     "MotorPower": "moteurs",
-    "Sound": "son"
+    "Sound": "son",
+    "Pen": "stylo",
+    "PenColor": "couleur du stylo"
   },
   "nouns": {
     "BumperSide": "un côté du pare-chocs",
@@ -261,6 +269,9 @@ export const robot = {
     "ExternalPower": "un interrupteur de courant",
     "MotorPower": "un interrupteur des moteurs",
     "Sound": "un son",
+    "Pen": "une position du stylo",
+    "PenColor": "une couleur du stylo",
+    "PenWidth": "une largeur du stylo",
     "Say": "quelque chose à dire"
   },
   "names": {
@@ -293,6 +304,9 @@ export const robot = {
     "ExternalPower": "prise connecteur alimentation courant volts",
     "MotorPower": "roues moteur éteindre frein",
     "Sound": "bip bruit musique note",
+    "Pen": "stylo crayon dessiner dessin peindre tortue ligne trait",
+    "PenColor": "stylo encre couleur dessiner peindre",
+    "PenWidth": "stylo épais fin large trait dessiner",
     "Say": "parler dire écrire afficher"
   },
   "toolbox": {
@@ -305,7 +319,10 @@ export const robot = {
     "Ahead": "quand il mesure la voie devant",
     "Scan": "quand il mesure tout autour",
     "ExternalPower": "allumer ou éteindre une prise : ExternalPower",
-    "MotorPower": "allumer ou éteindre les moteurs : MotorPower"
+    "MotorPower": "allumer ou éteindre les moteurs : MotorPower",
+    "Pen": "baisser le stylo : PenDown",
+    "PenColor": "choisir la couleur du stylo : PenColor",
+    "PenWidth": "régler la largeur du stylo : PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -387,13 +404,29 @@ export const robot = {
       "ErrorSound": "erreur",
       "CleaningStartSound": "début du nettoyage",
       "CleaningEndSound": "fin du nettoyage"
+    },
+    "Pen": {
+      "PenUp": "levé",
+      "PenDown": "baissé"
+    },
+    "PenColor": {
+      "BlackInk": "noir",
+      "RedInk": "rouge",
+      "OrangeInk": "orange",
+      "YellowInk": "jaune",
+      "GreenInk": "vert",
+      "BlueInk": "bleu",
+      "PurpleInk": "violet"
     }
   },
   "actuators": {
     "Velocity": "la vitesse",
     "Led1": "la première lumière",
     "Led2": "la deuxième lumière",
-    "MotorPower": "l'alimentation des moteurs"
+    "MotorPower": "l'alimentation des moteurs",
+    "Pen": "le stylo",
+    "PenColor": "la couleur du stylo",
+    "PenWidth": "la largeur du stylo"
   },
   "charts": {
     "bumperLeft": "Pare-chocs gauche",

@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Liga ou desliga um conector de energia. Exemplo: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "largura, metros"
+      ],
+      "tooltip": "Define a largura do traço da caneta. Exemplo: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texto"
@@ -218,7 +224,9 @@ export const robot = {
     "PowerSource": "conector",
     "PowerStatus": "estado",
     "MotorPower": "motores",
-    "Sound": "som"
+    "Sound": "som",
+    "Pen": "caneta",
+    "PenColor": "cor da caneta"
   },
   "nouns": {
     "BumperSide": "um lado do para-choque",
@@ -261,6 +269,9 @@ export const robot = {
     "ExternalPower": "um interruptor de energia",
     "MotorPower": "um interruptor dos motores",
     "Sound": "um som",
+    "Pen": "uma posição da caneta",
+    "PenColor": "uma cor da caneta",
+    "PenWidth": "uma largura da caneta",
     "Say": "algo para dizer"
   },
   "names": {
@@ -293,6 +304,9 @@ export const robot = {
     "ExternalPower": "conector fonte volts",
     "MotorPower": "rodas dirigir desligar freio",
     "Sound": "bipe barulho música tom som",
+    "Pen": "caneta desenhar desenho pintar tartaruga linha traço riscar",
+    "PenColor": "caneta tinta cor desenhar pintar",
+    "PenWidth": "caneta grosso fino largo traço desenhar",
     "Say": "falar dizer escrever mostrar"
   },
   "toolbox": {
@@ -305,7 +319,10 @@ export const robot = {
     "Ahead": "quando ele mede o caminho à frente",
     "Scan": "quando ele mede tudo em volta",
     "ExternalPower": "ligar ou desligar um conector de energia: ExternalPower",
-    "MotorPower": "ligar ou desligar os motores: MotorPower"
+    "MotorPower": "ligar ou desligar os motores: MotorPower",
+    "Pen": "abaixar a caneta: PenDown",
+    "PenColor": "escolher a cor da caneta: PenColor",
+    "PenWidth": "mudar a largura da caneta: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -387,13 +404,29 @@ export const robot = {
       "ErrorSound": "erro",
       "CleaningStartSound": "começo da limpeza",
       "CleaningEndSound": "fim da limpeza"
+    },
+    "Pen": {
+      "PenUp": "levantada",
+      "PenDown": "abaixada"
+    },
+    "PenColor": {
+      "BlackInk": "preto",
+      "RedInk": "vermelho",
+      "OrangeInk": "laranja",
+      "YellowInk": "amarelo",
+      "GreenInk": "verde",
+      "BlueInk": "azul",
+      "PurpleInk": "roxo"
     }
   },
   "actuators": {
     "Velocity": "a velocidade",
     "Led1": "a primeira luz",
     "Led2": "a segunda luz",
-    "MotorPower": "a energia dos motores"
+    "MotorPower": "a energia dos motores",
+    "Pen": "a caneta",
+    "PenColor": "a cor da caneta",
+    "PenWidth": "a largura da caneta"
   },
   "charts": {
     "bumperLeft": "Para-choque esquerdo",

@@ -2,6 +2,7 @@
 /// moves before a person presses Play; where less motion is wanted, the film advances in steps.
 
 import {cornerOf, follow, lookAt, toScreen} from "../../views/room/camera.ts"
+import {drawInk} from "../../views/room/ink_drawing.ts"
 import {type Palette, readPalette} from "../../views/room/palette.ts"
 import {drawBubble, drawRobot} from "../../views/room/robot_drawing.ts"
 import {drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
@@ -63,6 +64,7 @@ function draw(): void {
   ctx.lineWidth = Math.max(2.5 / camera.scale, 0.02)
   ctx.strokeStyle = palette.trail
   ctx.stroke()
+  drawInk(ctx, moment.ink, palette, camera.scale)
   drawObjects(ctx, film.world, moment.objects, palette, camera.scale)
   ctx.save()
   ctx.translate(moment.x, moment.y)

@@ -1,7 +1,9 @@
 /// Drawing of the static world: floor, grid, holes, walls, objects, goals; and thumbnails of a room. In metres; the context is already scaled.
 
+import type {Ink} from "../../state/runs/ink.ts"
 import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
 import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
+import {drawInk} from "./ink_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
 import {drawRobot} from "./robot_drawing.ts"
@@ -260,6 +262,7 @@ export function drawThumbnail(
   world: World,
   path: readonly (readonly [number, number])[] = [],
   bumps: readonly (readonly [number, number])[] = [],
+  ink: Ink = [],
 ): void {
   const ctx = canvas.getContext("2d")
   if (ctx === null) return
@@ -286,6 +289,7 @@ export function drawThumbnail(
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.trail
   ctx.stroke()
+  drawInk(ctx, ink, palette, camera.scale)
   for (const [x, y] of bumps) drawMark(ctx, x, y, "cross", palette, camera.scale)
   ctx.translate(world.start.x, world.start.y)
   ctx.rotate(world.start.theta)

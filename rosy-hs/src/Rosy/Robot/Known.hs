@@ -49,9 +49,12 @@ kobuki =
           Mapping externalPowerChannel "{prefix}/commands/external_power" "{messages}/ExternalPower" [At [Key "source"] AWhole, At [Key "state"] AWhole] [] [] Latched,
           Mapping motorPowerChannel "{prefix}/commands/motor_power" "{messages}/MotorPower" [At [Key "state"] AWhole] [] [] Latched,
           Mapping soundChannel "{prefix}/commands/sound" "{messages}/Sound" [At [Key "value"] AWhole] [] [] Published,
+          Mapping penChannel "/rosy/pen" "std_msgs/UInt8" [At [Key "data"] AWhole] [] [] Latched,
+          Mapping penColorChannel "/rosy/pen_color" "std_msgs/UInt8" [At [Key "data"] AWhole] [] [] Latched,
+          Mapping penWidthChannel "/rosy/pen_width" "std_msgs/Float64" [At [Key "data"] (ANumber 1)] [] [] Latched,
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
-      robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1])],
+      robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1]), (penChannel, [Whole 0]), (penColorChannel, [Whole 0]), (penWidthChannel, [Number 0.03])],
       robotOnDemand = [aheadChannel, scanChannel],
       robotLimits = (0.7, 3.141592653589793),
       robotWheels = Just (0.7, 0.23),
@@ -94,8 +97,10 @@ kobuki =
           ("nav_msgs", "Odometry", "Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist\n"),
           ("sensor_msgs", "Imu", "Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n"),
           ("sensor_msgs", "LaserScan", "Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n"),
+          ("std_msgs", "Float64", "float64 data\n"),
           ("std_msgs", "Header", "uint32 seq\ntime stamp\nstring frame_id\n"),
-          ("std_msgs", "String", "string data\n")
+          ("std_msgs", "String", "string data\n"),
+          ("std_msgs", "UInt8", "uint8 data\n")
         ]
     }
 

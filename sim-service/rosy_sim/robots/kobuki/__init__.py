@@ -32,7 +32,15 @@ KOBUKI = Robot(
     hanging_wheels=hanging_wheels,
     changes=edges,
     states=states,
-    outputs={"Led1": (0,), "Led2": (0,), "ExternalPower": (1, 1, 1, 1), "MotorPower": (1,)},
+    outputs={
+        "Led1": (0,),
+        "Led2": (0,),
+        "ExternalPower": (1, 1, 1, 1),
+        "MotorPower": (1,),
+        "Pen": (0,),
+        "PenColor": (0,),
+        "PenWidth": (0.03,),
+    },
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector),
     scanner=ScannerModel(
