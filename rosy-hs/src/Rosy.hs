@@ -82,6 +82,7 @@ module Rosy
     DockSignal (..),
     DockInfraRed (..),
     AnalogInput (..),
+    LineSensor (..),
     -- The types of the language.
 
     -- * Remember

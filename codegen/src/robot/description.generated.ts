@@ -264,6 +264,10 @@ export const robot = {
       "state",
       "state"
     ],
+    "LineSensor": [
+      "state",
+      "state"
+    ],
     "Ahead": [
       "event",
       "event"
@@ -365,7 +369,8 @@ export const robot = {
       "Battery",
       "Charger",
       "DockInfraRed",
-      "AnalogInput"
+      "AnalogInput",
+      "LineSensor"
     ],
     "odometry": [
       "Velocity",
@@ -514,6 +519,14 @@ export const robot = {
         "8": "FarCenter",
         "16": "FarLeft",
         "32": "FarRight"
+      }
+    ],
+    "LineSensor": [
+      {
+        "0": "NoLine",
+        "1": "LineLeft",
+        "2": "LineAhead",
+        "3": "LineRight"
       }
     ],
     "Led1": [
@@ -701,6 +714,16 @@ export const robot = {
         "FarRight"
       ]
     },
+    "LineSensor": {
+      "family": "state",
+      "word": "LineSensor",
+      "options": [
+        "LineLeft",
+        "LineAhead",
+        "LineRight",
+        "NoLine"
+      ]
+    },
     "LedColor": {
       "family": "command",
       "options": [
@@ -827,6 +850,14 @@ export const robot = {
       ]
     },
     {
+      "type": "LineSensor",
+      "kind": "state",
+      "function": "onLine",
+      "parts": [
+        "LineLeft"
+      ]
+    },
+    {
       "type": "Ahead",
       "kind": "event",
       "function": "approach",
@@ -894,6 +925,7 @@ export const robot = {
     "/mobile_base/sensors/dock_ir",
     "/mobile_base/sensors/imu_data",
     "/odom",
+    "/rosy/line",
     "/scan"
   ],
   "channelValues": {
@@ -1054,6 +1086,36 @@ export const robot = {
       -60
     ],
     "bumperHalfWidth": 30,
+    "lineDetectors": [
+      [
+        0.156,
+        0.0
+      ],
+      [
+        0.156,
+        0.03
+      ],
+      [
+        0.156,
+        -0.03
+      ],
+      [
+        0.156,
+        0.06
+      ],
+      [
+        0.156,
+        -0.06
+      ],
+      [
+        0.156,
+        0.09
+      ],
+      [
+        0.156,
+        -0.09
+      ]
+    ],
     "cliffPoints": [
       [
         0.08734,

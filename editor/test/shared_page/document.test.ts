@@ -20,6 +20,7 @@ const world: World = {
   walls: [],
   boxes: [],
   rounds: [],
+  lines: [],
   goals: [],
   realism: null,
   dock: null,

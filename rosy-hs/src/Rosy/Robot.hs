@@ -850,6 +850,35 @@ instance Packed AnalogInput where
 
 instance Sensor AnalogInput where sensor = sensedState analogInputChannel fromFields
 
+-- | Where the line on the floor runs under the nose of the robot. At a crossing it is ahead.
+data LineSensor
+  = -- | There is none under the sensor.
+    NoLine
+  | -- | To the left of the middle.
+    LineLeft
+  | -- | Under the middle.
+    LineAhead
+  | -- | To the right of the middle.
+    LineRight
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value LineSensor
+
+instance Default LineSensor
+
+instance Packed LineSensor where
+  pack NoLine = [Whole 0]
+  pack LineLeft = [Whole 1]
+  pack LineAhead = [Whole 2]
+  pack LineRight = [Whole 3]
+  unpack (Whole 0 : rest) = Just (NoLine, rest)
+  unpack (Whole 1 : rest) = Just (LineLeft, rest)
+  unpack (Whole 2 : rest) = Just (LineAhead, rest)
+  unpack (Whole 3 : rest) = Just (LineRight, rest)
+  unpack _ = Nothing
+
+instance Sensor LineSensor where sensor = sensedState lineSensorChannel fromFields
+
 -- | How far the way ahead is free, in metres from the middle of the robot, as far as its distance sensor can see:
 -- 3.5 when nothing is nearer. It is the nearest thing that is at most 10° from straight ahead.
 newtype Ahead = Ahead
@@ -1342,9 +1371,20 @@ pattern AnalogInputMessage x <-
   where
     AnalogInputMessage x = Message analogInputChannel (pack x)
 
+-- | The channel of 'LineSensor'.
+lineSensorChannel :: Channel
+lineSensorChannel = channel (id :: LineSensor -> LineSensor) 12 "LineSensor" StateChannel 0 Nothing
+
+-- | A 'LineSensor' on its channel.
+pattern LineSensorMessage :: LineSensor -> Message
+pattern LineSensorMessage x <-
+  Message c (typed lineSensorChannel c -> Just x)
+  where
+    LineSensorMessage x = Message lineSensorChannel (pack x)
+
 -- | The channel of 'Ahead'.
 aheadChannel :: Channel
-aheadChannel = channel (id :: Ahead -> Ahead) 12 "Ahead" EventChannel 0 Nothing
+aheadChannel = channel (id :: Ahead -> Ahead) 13 "Ahead" EventChannel 0 Nothing
 
 -- | A 'Ahead' on its channel.
 pattern AheadMessage :: Ahead -> Message
@@ -1355,7 +1395,7 @@ pattern AheadMessage x <-
 
 -- | The channel of 'Scan'.
 scanChannel :: Channel
-scanChannel = channel (id :: Scan -> Scan) 13 "Scan" EventChannel 0 Nothing
+scanChannel = channel (id :: Scan -> Scan) 14 "Scan" EventChannel 0 Nothing
 
 -- | A 'Scan' on its channel.
 pattern ScanMessage :: Scan -> Message
@@ -1366,7 +1406,7 @@ pattern ScanMessage x <-
 
 -- | The channel of 'Velocity'.
 velocityChannel :: Channel
-velocityChannel = channel (id :: Velocity -> Velocity) 14 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
+velocityChannel = channel (id :: Velocity -> Velocity) 15 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
 
 -- | A 'Velocity' on its channel.
 pattern VelocityCommand :: Velocity -> Action
@@ -1379,7 +1419,7 @@ instance Command Velocity where command = sent "speed" velocityChannel
 
 -- | The channel of 'Led1'.
 led1Channel :: Channel
-led1Channel = channel (id :: Led1 -> Led1) 15 "Led1" CommandChannel 0 Nothing
+led1Channel = channel (id :: Led1 -> Led1) 16 "Led1" CommandChannel 0 Nothing
 
 -- | A 'Led1' on its channel.
 pattern Led1Command :: Led1 -> Action
@@ -1392,7 +1432,7 @@ instance Command Led1 where command = sent "number" led1Channel
 
 -- | The channel of 'Led2'.
 led2Channel :: Channel
-led2Channel = channel (id :: Led2 -> Led2) 16 "Led2" CommandChannel 0 Nothing
+led2Channel = channel (id :: Led2 -> Led2) 17 "Led2" CommandChannel 0 Nothing
 
 -- | A 'Led2' on its channel.
 pattern Led2Command :: Led2 -> Action
@@ -1405,7 +1445,7 @@ instance Command Led2 where command = sent "number" led2Channel
 
 -- | The channel of 'ExternalPower'.
 externalPowerChannel :: Channel
-externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 17 "ExternalPower" CommandChannel 4 Nothing
+externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 18 "ExternalPower" CommandChannel 4 Nothing
 
 -- | A 'ExternalPower' on its channel.
 pattern ExternalPowerCommand :: ExternalPower -> Action
@@ -1418,7 +1458,7 @@ instance Command ExternalPower where command = sent "number" externalPowerChanne
 
 -- | The channel of 'MotorPower'.
 motorPowerChannel :: Channel
-motorPowerChannel = channel (id :: MotorPower -> MotorPower) 18 "MotorPower" CommandChannel 0 Nothing
+motorPowerChannel = channel (id :: MotorPower -> MotorPower) 19 "MotorPower" CommandChannel 0 Nothing
 
 -- | A 'MotorPower' on its channel.
 pattern MotorPowerCommand :: MotorPower -> Action
@@ -1431,7 +1471,7 @@ instance Command MotorPower where command = sent "number" motorPowerChannel
 
 -- | The channel of 'Sound'.
 soundChannel :: Channel
-soundChannel = channel (id :: Sound -> Sound) 19 "Sound" CommandChannel 0 Nothing
+soundChannel = channel (id :: Sound -> Sound) 20 "Sound" CommandChannel 0 Nothing
 
 -- | A 'Sound' on its channel.
 pattern SoundCommand :: Sound -> Action
@@ -1444,7 +1484,7 @@ instance Command Sound where command = sent "number" soundChannel
 
 -- | The channel of 'Pen'.
 penChannel :: Channel
-penChannel = channel (id :: Pen -> Pen) 20 "Pen" CommandChannel 0 Nothing
+penChannel = channel (id :: Pen -> Pen) 21 "Pen" CommandChannel 0 Nothing
 
 -- | A 'Pen' on its channel.
 pattern PenCommand :: Pen -> Action
@@ -1457,7 +1497,7 @@ instance Command Pen where command = sent "number" penChannel
 
 -- | The channel of 'PenColor'.
 penColorChannel :: Channel
-penColorChannel = channel (id :: PenColor -> PenColor) 21 "PenColor" CommandChannel 0 Nothing
+penColorChannel = channel (id :: PenColor -> PenColor) 22 "PenColor" CommandChannel 0 Nothing
 
 -- | A 'PenColor' on its channel.
 pattern PenColorCommand :: PenColor -> Action
@@ -1470,7 +1510,7 @@ instance Command PenColor where command = sent "number" penColorChannel
 
 -- | The channel of 'PenWidth'.
 penWidthChannel :: Channel
-penWidthChannel = channel (id :: PenWidth -> PenWidth) 22 "PenWidth" CommandChannel 0 Nothing
+penWidthChannel = channel (id :: PenWidth -> PenWidth) 23 "PenWidth" CommandChannel 0 Nothing
 
 -- | A 'PenWidth' on its channel.
 pattern PenWidthCommand :: PenWidth -> Action
@@ -1483,7 +1523,7 @@ instance Command PenWidth where command = sent "number" penWidthChannel
 
 -- | The channel of 'Say'.
 sayChannel :: Channel
-sayChannel = channel (id :: Say -> Say) 23 "Say" CommandChannel 0 Nothing
+sayChannel = channel (id :: Say -> Say) 24 "Say" CommandChannel 0 Nothing
 
 -- | A 'Say' on its channel.
 pattern SayCommand :: Say -> Action

@@ -31,6 +31,8 @@ from rosy_sim.ownership.robot_parts import missing_parts
         ("ros://h?pen=on", ["Pen", "PenColor", "PenWidth"], []),
         ("serial:/dev/kobuki?pen=on", ["Pen"], ["Pen"]),
         ("ws://h?robot=turtlesim", ["Pen"], ["Pen"]),
+        ("ros://h", ["LineSensor"], ["LineSensor"]),
+        ("ros://h?line=on", ["LineSensor"], []),
     ],
 )
 def test_views_belong_to_their_channel(address: str, uses: list[str], missing: list[str]) -> None:

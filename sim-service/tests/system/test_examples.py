@@ -166,7 +166,7 @@ def test_draw_star_draws_five_lines_of_a_metre_and_raises_the_pen(worker: Blocki
     assert run.outcome.ended == "done"
     assert [c for line in run.lines for c in line["commands"] if c.startswith("Pen") or c.endswith("Ink")] == [
         "BlueInk",
-        "PenWidth 0.05",
+        "PenWidth 5.0e-2",
         "PenDown",
         "PenUp",
     ]

@@ -220,6 +220,7 @@ export const robot = {
     "RobotStatus": "Zustand",
     "Charger": "Lader",
     "DockSignal": "Bereich",
+    "LineSensor": "Linie",
     "LedColor": "Farbe",
     "PowerSource": "Anschluss",
     "PowerStatus": "Zustand",
@@ -259,6 +260,7 @@ export const robot = {
     "DockInfraRed": "ein Signal der Ladestation",
     "DigitalInput": "eine Änderung der digitalen Eingänge",
     "AnalogInput": "die analogen Eingänge",
+    "LineSensor": "der Ort der Linie",
     "Ahead": "ein Abstand nach vorn",
     "Scan": "ein Laserscan",
     "LedColor": "eine Farbe",
@@ -296,6 +298,7 @@ export const robot = {
     "DockInfraRed": "Infrarot Strahl Ladestation heim",
     "DigitalInput": "Anschluss Stift Schalter",
     "AnalogInput": "Anschluss Stift Spannung",
+    "LineSensor": "Linie folgen Boden Strecke schwarz Streifen Sensor",
     "Ahead": "Abstand Entfernung weit nah Wand vorn Laser Lidar Sensor Meter messen Hindernis",
     "Scan": "Laser Lidar Scan Abstände ringsum Strahl Richtung Sensor",
     "LedColor": "Licht Lampe",
@@ -316,6 +319,7 @@ export const robot = {
     "DockInfraRed": "wenn es die Ladestation sieht",
     "DigitalInput": "wenn sich ein digitaler Eingang ändert",
     "AnalogInput": "wenn es analoge Eingänge hat",
+    "LineSensor": "wenn die Linie links ist",
     "Ahead": "wenn es den Weg nach vorn misst",
     "Scan": "wenn es ringsum misst",
     "ExternalPower": "einen Stromanschluss schalten: ExternalPower",
@@ -375,6 +379,12 @@ export const robot = {
       "FarCenter": "fern, Mitte",
       "FarLeft": "fern, links",
       "FarRight": "fern, rechts"
+    },
+    "LineSensor": {
+      "NoLine": "keine Linie",
+      "LineLeft": "links",
+      "LineAhead": "voraus",
+      "LineRight": "rechts"
     },
     "LedColor": {
       "Black": "aus",

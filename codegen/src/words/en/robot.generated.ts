@@ -220,6 +220,7 @@ export const robot = {
     "RobotStatus": "status",
     "Charger": "charger",
     "DockSignal": "region",
+    "LineSensor": "line",
     "LedColor": "colour",
     "PowerSource": "connector",
     "PowerStatus": "status",
@@ -259,6 +260,7 @@ export const robot = {
     "DockInfraRed": "a signal of the dock",
     "DigitalInput": "a change of the digital inputs",
     "AnalogInput": "the analogue inputs",
+    "LineSensor": "the place of the line",
     "Ahead": "a distance ahead",
     "Scan": "a laser scan",
     "LedColor": "a colour",
@@ -296,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrared beam charging station home",
     "DigitalInput": "connector pin switch port",
     "AnalogInput": "connector pin voltage port",
+    "LineSensor": "line follow floor track black stripe path sensor",
     "Ahead": "distance far near wall ahead laser lidar sensor metres measure obstacle",
     "Scan": "laser lidar scan distances all around beam direction sensor",
     "LedColor": "light lamp",
@@ -316,6 +319,7 @@ export const robot = {
     "DockInfraRed": "when it sees the dock",
     "DigitalInput": "when a digital input changes",
     "AnalogInput": "when it has analogue inputs",
+    "LineSensor": "when the line is to the left",
     "Ahead": "when it measures the way ahead",
     "Scan": "when it measures all around",
     "ExternalPower": "switch a power connector: ExternalPower",
@@ -375,6 +379,12 @@ export const robot = {
       "FarCenter": "far, middle",
       "FarLeft": "far, left",
       "FarRight": "far, right"
+    },
+    "LineSensor": {
+      "NoLine": "no line",
+      "LineLeft": "to the left",
+      "LineAhead": "ahead",
+      "LineRight": "to the right"
     },
     "LedColor": {
       "Black": "off",

@@ -220,6 +220,7 @@ export const robot = {
     "RobotStatus": "estado",
     "Charger": "cargador",
     "DockSignal": "zona",
+    "LineSensor": "línea",
     "LedColor": "color",
     "PowerSource": "conector",
     "PowerStatus": "estado",
@@ -259,6 +260,7 @@ export const robot = {
     "DockInfraRed": "una señal de la base de carga",
     "DigitalInput": "un cambio de las entradas digitales",
     "AnalogInput": "un valor de las entradas analógicas",
+    "LineSensor": "el lugar de la línea",
     "Ahead": "una distancia hacia delante",
     "Scan": "un barrido láser",
     "LedColor": "un color",
@@ -296,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrarrojo rayo base estación carga cargador casa",
     "DigitalInput": "conector pin interruptor puerto digital",
     "AnalogInput": "conector pin voltaje puerto analógica",
+    "LineSensor": "línea seguir suelo pista negra raya sensor",
     "Ahead": "distancia lejos cerca pared delante láser lidar sensor metros medir obstáculo",
     "Scan": "láser lidar barrido distancias alrededor haz dirección sensor",
     "LedColor": "luz lámpara color",
@@ -316,6 +319,7 @@ export const robot = {
     "DockInfraRed": "cuando ve la base de carga",
     "DigitalInput": "cuando cambia una entrada digital",
     "AnalogInput": "cuando tiene entradas analógicas",
+    "LineSensor": "cuando la línea está a la izquierda",
     "Ahead": "cuando mide el camino que tiene delante",
     "Scan": "cuando mide todo a su alrededor",
     "ExternalPower": "encender o apagar un conector de corriente: ExternalPower",
@@ -375,6 +379,12 @@ export const robot = {
       "FarCenter": "lejos, centro",
       "FarLeft": "lejos, izquierda",
       "FarRight": "lejos, derecha"
+    },
+    "LineSensor": {
+      "NoLine": "sin línea",
+      "LineLeft": "a la izquierda",
+      "LineAhead": "delante",
+      "LineRight": "a la derecha"
     },
     "LedColor": {
       "Black": "apagado",

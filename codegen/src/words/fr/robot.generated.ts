@@ -220,6 +220,7 @@ export const robot = {
     "RobotStatus": "état",
     "Charger": "chargeur",
     "DockSignal": "zone",
+    "LineSensor": "ligne",
     "LedColor": "couleur",
     "PowerSource": "prise",
     "PowerStatus": "état",
@@ -259,6 +260,7 @@ export const robot = {
     "DockInfraRed": "un signal de la station de charge",
     "DigitalInput": "un changement des entrées numériques",
     "AnalogInput": "un groupe d'entrées analogiques",
+    "LineSensor": "la place de la ligne",
     "Ahead": "une distance devant",
     "Scan": "un balayage laser",
     "LedColor": "une couleur",
@@ -296,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrarouge rayon station charge maison",
     "DigitalInput": "connecteur broche interrupteur port",
     "AnalogInput": "connecteur broche tension port",
+    "LineSensor": "ligne suivre sol piste noire trait capteur",
     "Ahead": "distance loin près mur devant laser lidar capteur mètres mesurer obstacle",
     "Scan": "laser lidar balayage distances autour faisceau direction capteur",
     "LedColor": "lumière lampe",
@@ -316,6 +319,7 @@ export const robot = {
     "DockInfraRed": "quand il voit la station de charge",
     "DigitalInput": "quand une entrée numérique change",
     "AnalogInput": "quand il a des entrées analogiques",
+    "LineSensor": "quand la ligne est à gauche",
     "Ahead": "quand il mesure la voie devant",
     "Scan": "quand il mesure tout autour",
     "ExternalPower": "allumer ou éteindre une prise : ExternalPower",
@@ -375,6 +379,12 @@ export const robot = {
       "FarCenter": "loin, au milieu",
       "FarLeft": "loin, à gauche",
       "FarRight": "loin, à droite"
+    },
+    "LineSensor": {
+      "NoLine": "pas de ligne",
+      "LineLeft": "à gauche",
+      "LineAhead": "devant",
+      "LineRight": "à droite"
     },
     "LedColor": {
       "Black": "éteint",

@@ -220,6 +220,7 @@ export const robot = {
     "RobotStatus": "estado",
     "Charger": "carregador",
     "DockSignal": "região",
+    "LineSensor": "linha",
     "LedColor": "cor",
     "PowerSource": "conector",
     "PowerStatus": "estado",
@@ -259,6 +260,7 @@ export const robot = {
     "DockInfraRed": "um sinal da base",
     "DigitalInput": "uma mudança das entradas digitais",
     "AnalogInput": "um valor das entradas analógicas",
+    "LineSensor": "o lugar da linha",
     "Ahead": "uma distância à frente",
     "Scan": "uma varredura a laser",
     "LedColor": "uma cor",
@@ -296,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infravermelho raio base de carga estação casa",
     "DigitalInput": "conector pino chave porta",
     "AnalogInput": "conector pino tensão porta",
+    "LineSensor": "linha seguir chão pista preta faixa sensor",
     "Ahead": "distância longe perto parede frente laser lidar sensor metros medir obstáculo",
     "Scan": "laser lidar varredura distâncias em volta feixe direção sensor",
     "LedColor": "luz lâmpada",
@@ -316,6 +319,7 @@ export const robot = {
     "DockInfraRed": "quando ele vê a base",
     "DigitalInput": "quando uma entrada digital muda",
     "AnalogInput": "quando ele tem entradas analógicas",
+    "LineSensor": "quando a linha está à esquerda",
     "Ahead": "quando ele mede o caminho à frente",
     "Scan": "quando ele mede tudo em volta",
     "ExternalPower": "ligar ou desligar um conector de energia: ExternalPower",
@@ -375,6 +379,12 @@ export const robot = {
       "FarCenter": "longe, no meio",
       "FarLeft": "longe, à esquerda",
       "FarRight": "longe, à direita"
+    },
+    "LineSensor": {
+      "NoLine": "sem linha",
+      "LineLeft": "à esquerda",
+      "LineAhead": "em frente",
+      "LineRight": "à direita"
     },
     "LedColor": {
       "Black": "apagada",

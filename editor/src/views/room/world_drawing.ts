@@ -30,6 +30,7 @@ export function drawWorld(
   drawGrid(ctx, width, height, palette, scale)
   drawTiles(ctx, world, palette, scale)
   drawUnknown(ctx, world, palette, scale)
+  drawLines(ctx, world, palette)
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.wall
   ctx.lineWidth = wallThickness
@@ -48,6 +49,19 @@ export function drawWorld(
   ctx.lineWidth = border
   ctx.strokeStyle = palette.wall
   ctx.strokeRect(-border / 2, -border / 2, width + border, height + border)
+}
+
+/// The lines that the line sensor sees, as dark as the words of the page.
+function drawLines(ctx: CanvasRenderingContext2D, {lines}: World, palette: Palette): void {
+  ctx.lineCap = "round"
+  ctx.lineJoin = "round"
+  ctx.strokeStyle = palette.ink
+  for (const {points, width} of lines) {
+    ctx.lineWidth = width
+    ctx.beginPath()
+    for (const [x, y] of points) ctx.lineTo(x, y)
+    ctx.stroke()
+  }
 }
 
 /// Distance of the lines that hatch what no scan has seen, in CSS pixels.

@@ -9,6 +9,7 @@ from . import facts
 from .connector import Connector
 from .dock_receivers import DockReceivers
 from .gyroscope import Gyroscope
+from .line_sensor import LineSensor
 from .power import Power
 from .sensors import bumper_bits, cliff_bits, edges, hanging_wheels, states
 
@@ -42,7 +43,7 @@ KOBUKI = Robot(
         "PenWidth": (0.03,),
     },
     motor_switch="MotorPower",
-    devices=(Gyroscope, Power, DockReceivers, Connector),
+    devices=(Gyroscope, Power, DockReceivers, Connector, LineSensor),
     scanner=ScannerModel(
         beams=facts.SCANNER_BEAMS,
         nearest=facts.SCANNER_NEAREST,
