@@ -156,6 +156,7 @@ const robotWords = {
     ["turtle", "step_pen_up"],
     ["ink", "step_pen_color"],
     ["thick", "step_pen_width"],
+    ["line", "followLine"],
   ],
   de: [
     ["vorwärts", "step_drive"],
@@ -180,6 +181,7 @@ const robotWords = {
     ["zeichnen", "step_pen_down"],
     ["malen", "step_pen_color"],
     ["dick", "step_pen_width"],
+    ["linie", "followLine"],
   ],
   pt: [
     ["frente", "step_drive"],
@@ -202,6 +204,7 @@ const robotWords = {
     ["caneta", "step_pen_down"],
     ["desenhar", "step_pen_down"],
     ["tinta", "step_pen_color"],
+    ["linha", "followLine"],
   ],
   es: [
     ["adelante", "step_drive"],
@@ -226,6 +229,7 @@ const robotWords = {
     ["lápiz", "step_pen_down"],
     ["dibujar", "step_pen_down"],
     ["tinta", "step_pen_color"],
+    ["línea", "followLine"],
   ],
   fr: [
     ["avancer", "step_drive"],
@@ -249,6 +253,7 @@ const robotWords = {
     ["stylo", "step_pen_down"],
     ["dessiner", "step_pen_down"],
     ["encre", "step_pen_color"],
+    ["ligne", "followLine"],
   ],
 } as const
 
