@@ -2,9 +2,9 @@
 /// moves before a person presses Play; where less motion is wanted, the film advances in steps.
 
 import {cornerOf, follow, lookAt, toScreen} from "../../views/room/camera.ts"
-import {drawInk} from "../../views/room/ink_drawing.ts"
 import {type Palette, readPalette} from "../../views/room/palette.ts"
 import {drawBubble, drawRobot} from "../../views/room/robot_drawing.ts"
+import {drawInk} from "../../views/room/trail_drawing.ts"
 import {drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
 import {isLarge} from "../../worlds/world.ts"
 import {durationOf, type Film, momentAt} from "./film.ts"

@@ -1,5 +1,5 @@
 /// Ink on the floor: the strokes that the robot's pen has drawn in a run. In: frames, whose channels say where the pen is, its colour and its width.
-/// Pure; `views/room/ink_drawing.ts` draws it.
+/// Pure; `views/room/trail_drawing.ts` draws it.
 
 import {numberAt, type Sensed} from "./channels.ts"
 

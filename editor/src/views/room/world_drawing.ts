@@ -3,10 +3,10 @@
 import type {Ink} from "../../state/runs/ink.ts"
 import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
 import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
-import {drawInk} from "./ink_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
 import {drawRobot} from "./robot_drawing.ts"
+import {drawInk} from "./trail_drawing.ts"
 
 export function drawWorld(
   ctx: CanvasRenderingContext2D,
