@@ -11,7 +11,19 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..sentences.sentence import tr
-from .field_readers import MAX_SIDE, ArenaError, Pose, flag, items, number, object_fields, point, points, positive, required
+from .field_readers import (
+    MAX_SIDE,
+    ArenaError,
+    Pose,
+    flag,
+    items,
+    number,
+    object_fields,
+    point,
+    points,
+    positive,
+    required,
+)
 from .goals import Goal, read_goals
 from .realism import Realism, read_realism
 

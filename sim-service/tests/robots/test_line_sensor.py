@@ -28,7 +28,16 @@ def told(line: dict[str, Any], theta: float = 0.0) -> float | int | str:
 
 @pytest.mark.parametrize(
     ("beside", "place"),
-    [(0.0, AHEAD), (0.02, AHEAD), (0.05, LEFT), (0.11, LEFT), (0.13, NO_LINE), (-0.05, RIGHT), (-0.11, RIGHT), (-0.13, NO_LINE)],
+    [
+        (0.0, AHEAD),
+        (0.02, AHEAD),
+        (0.05, LEFT),
+        (0.11, LEFT),
+        (0.13, NO_LINE),
+        (-0.05, RIGHT),
+        (-0.11, RIGHT),
+        (-0.13, NO_LINE),
+    ],
 )
 def test_a_line_along_the_way_is_ahead_or_beside_the_nose(beside: float, place: int) -> None:
     assert told({"points": [[0, 3 + beside], [6, 3 + beside]]}) == place
