@@ -161,11 +161,7 @@ def sensor_instance(vocabulary: Vocabulary, entry: Json, kinds: dict[str, str]) 
 def channel_code(vocabulary: Vocabulary, number: int, entry: Json) -> str:
     name, kind, places = entry["name"], entry["kind"], vocabulary.places(entry)
     noun = vocabulary.types[name].get("noun", "number")
-    rest = (
-        f"(Just [{', '.join(field_code(leaf, value) for (_, leaf), value in zip(vocabulary.leaves(name), entry['rest'], strict=True))}])"
-        if "rest" in entry
-        else "Nothing"
-    )
+    rest = f"(Just {leaf_values(vocabulary, entry, 'rest')})" if "rest" in entry else "Nothing"
     suffix, to = ("Command", "Action") if kind == "command" else ("Message", "Message")
     return f"""{doc(f"The channel of '{name}'.")}
 {variable(name)}Channel :: Channel
@@ -337,6 +333,14 @@ def field_code(kind: str, value: float) -> str:
     return f"Number {float(value)}" if kind == "Double" else f"Whole {value}"
 
 
+def leaf_values(vocabulary: Vocabulary, channel: Json, part: str) -> str:
+    """The values of a channel in a part of its description: one for each leaf, or for each place of a channel that has several."""
+    kinds = [kind for _, kind in vocabulary.leaves(channel["name"])]
+    if vocabulary.places(channel):
+        kinds = kinds[1:] * vocabulary.places(channel)
+    return f"[{', '.join(field_code(kind, value) for kind, value in zip(kinds, channel[part], strict=True))}]"
+
+
 def leaf(kind: str, place: str | Json, codes: Json) -> str:
     if isinstance(place, dict) and "codes" in place:
         unknown = set(place["codes"]) ^ set(codes)
@@ -444,7 +448,7 @@ def robot_code(vocabulary: Vocabulary, robot: Json) -> str:
     mappings = ",\n".join(mapping(vocabulary, c) for c in robot["channels"])
     packets = ",\n".join(serial(vocabulary, c) for c in robot["channels"] if "serial" in c)
     texts = ",\n".join(f'("{name.split("/")[0]}", "{name.split("/")[1]}", {json.dumps(text)})' for name, text in sorted(messages_of(robot).items()))
-    held = ", ".join(f"({variable(c['name'])}Channel, [{', '.join(f'Whole {v}' for v in c['holds'])}])" for c in robot["channels"] if "holds" in c)
+    held = ", ".join(f"({variable(c['name'])}Channel, {leaf_values(vocabulary, c, 'holds')})" for c in robot["channels"] if "holds" in c)
     on_demand = ", ".join(f"{variable(c['name'])}Channel" for c in robot["channels"] if c.get("onDemand"))
     limits = robot["limits"]
     wheels = f"Just ({limits['wheel']['value']}, {robot['body']['wheelbase']['value']})" if "wheel" in limits else "Nothing"

@@ -151,6 +151,12 @@ const robotWords = {
     ["along", "followWall"],
     ["table", "stopAtEdge"],
     ["cliff", "stopAtEdge"],
+    ["pen", "step_pen_down"],
+    ["draw", "step_pen_down"],
+    ["turtle", "step_pen_up"],
+    ["ink", "step_pen_color"],
+    ["thick", "step_pen_width"],
+    ["line", "followLine"],
   ],
   de: [
     ["vorwärts", "step_drive"],
@@ -171,6 +177,11 @@ const robotWords = {
     ["entlang", "followWall"],
     ["tisch", "stopAtEdge"],
     ["abgrund", "stopAtEdge"],
+    ["stift", "step_pen_down"],
+    ["zeichnen", "step_pen_down"],
+    ["malen", "step_pen_color"],
+    ["dick", "step_pen_width"],
+    ["linie", "followLine"],
   ],
   pt: [
     ["frente", "step_drive"],
@@ -190,6 +201,10 @@ const robotWords = {
     ["beira", "stopAtEdge"],
     ["seguir", "followWall"],
     ["mesa", "stopAtEdge"],
+    ["caneta", "step_pen_down"],
+    ["desenhar", "step_pen_down"],
+    ["tinta", "step_pen_color"],
+    ["linha", "followLine"],
   ],
   es: [
     ["adelante", "step_drive"],
@@ -211,6 +226,10 @@ const robotWords = {
     ["borde", "stopAtEdge"],
     ["seguir", "followWall"],
     ["mesa", "stopAtEdge"],
+    ["lápiz", "step_pen_down"],
+    ["dibujar", "step_pen_down"],
+    ["tinta", "step_pen_color"],
+    ["línea", "followLine"],
   ],
   fr: [
     ["avancer", "step_drive"],
@@ -231,6 +250,10 @@ const robotWords = {
     ["bord", "stopAtEdge"],
     ["longer", "followWall"],
     ["table", "stopAtEdge"],
+    ["stylo", "step_pen_down"],
+    ["dessiner", "step_pen_down"],
+    ["encre", "step_pen_color"],
+    ["ligne", "followLine"],
   ],
 } as const
 

@@ -36,6 +36,9 @@ module Rosy
     ExternalPower (..),
     MotorPower (..),
     Sound (..),
+    Pen (..),
+    PenColor (..),
+    PenWidth (..),
     Say (..),
 
     -- * What happened
@@ -79,6 +82,7 @@ module Rosy
     DockSignal (..),
     DockInfraRed (..),
     AnalogInput (..),
+    LineSensor (..),
     -- The types of the language.
 
     -- * Remember
@@ -126,6 +130,10 @@ module Rosy
     eitherOr,
     blink,
     beep,
+    penDown,
+    penUp,
+    penColor,
+    penWidth,
 
     -- * Tasks with more
     task',

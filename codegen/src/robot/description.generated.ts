@@ -118,6 +118,10 @@ export const robot = {
       "command",
       "command"
     ],
+    "PenWidth": [
+      "command",
+      "command"
+    ],
     "Say": [
       "command",
       "command"
@@ -260,6 +264,10 @@ export const robot = {
       "state",
       "state"
     ],
+    "LineSensor": [
+      "state",
+      "state"
+    ],
     "Ahead": [
       "event",
       "event"
@@ -297,6 +305,18 @@ export const robot = {
       "command"
     ],
     "Sound": [
+      "command",
+      "command"
+    ],
+    "Pen": [
+      "command",
+      "command"
+    ],
+    "PenColor": [
+      "command",
+      "command"
+    ],
+    "PenWidth": [
       "command",
       "command"
     ],
@@ -349,7 +369,8 @@ export const robot = {
       "Battery",
       "Charger",
       "DockInfraRed",
-      "AnalogInput"
+      "AnalogInput",
+      "LineSensor"
     ],
     "odometry": [
       "Velocity",
@@ -364,13 +385,19 @@ export const robot = {
       "ExternalPower",
       "MotorPower",
       "Sound",
+      "Pen",
+      "PenColor",
+      "PenWidth",
       "Say"
     ],
     "held": [
       "Velocity",
       "Led1",
       "Led2",
-      "MotorPower"
+      "MotorPower",
+      "Pen",
+      "PenColor",
+      "PenWidth"
     ],
     "records": [
       "Bumper",
@@ -402,6 +429,7 @@ export const robot = {
       "Led1",
       "Led2",
       "ExternalPower",
+      "PenWidth",
       "Say"
     ]
   },
@@ -493,6 +521,14 @@ export const robot = {
         "32": "FarRight"
       }
     ],
+    "LineSensor": [
+      {
+        "0": "NoLine",
+        "1": "LineLeft",
+        "2": "LineAhead",
+        "3": "LineRight"
+      }
+    ],
     "Led1": [
       {
         "0": "Black",
@@ -537,6 +573,23 @@ export const robot = {
         "5": "CleaningStartSound",
         "6": "CleaningEndSound"
       }
+    ],
+    "Pen": [
+      {
+        "0": "PenUp",
+        "1": "PenDown"
+      }
+    ],
+    "PenColor": [
+      {
+        "0": "BlackInk",
+        "1": "RedInk",
+        "2": "OrangeInk",
+        "3": "YellowInk",
+        "4": "GreenInk",
+        "5": "BlueInk",
+        "6": "PurpleInk"
+      }
     ]
   },
   "units": {
@@ -571,6 +624,9 @@ export const robot = {
       "rad",
       "m",
       "m",
+      "m"
+    ],
+    "PenWidth": [
       "m"
     ]
   },
@@ -658,6 +714,16 @@ export const robot = {
         "FarRight"
       ]
     },
+    "LineSensor": {
+      "family": "state",
+      "word": "LineSensor",
+      "options": [
+        "LineLeft",
+        "LineAhead",
+        "LineRight",
+        "NoLine"
+      ]
+    },
     "LedColor": {
       "family": "command",
       "options": [
@@ -702,6 +768,27 @@ export const robot = {
         "ButtonSound",
         "CleaningStartSound",
         "CleaningEndSound"
+      ]
+    },
+    "Pen": {
+      "family": "command",
+      "word": "Pen",
+      "options": [
+        "PenDown",
+        "PenUp"
+      ]
+    },
+    "PenColor": {
+      "family": "command",
+      "word": "PenColor",
+      "options": [
+        "BlackInk",
+        "RedInk",
+        "OrangeInk",
+        "YellowInk",
+        "GreenInk",
+        "BlueInk",
+        "PurpleInk"
       ]
     }
   },
@@ -763,6 +850,14 @@ export const robot = {
       ]
     },
     {
+      "type": "LineSensor",
+      "kind": "state",
+      "function": "onLine",
+      "parts": [
+        "LineLeft"
+      ]
+    },
+    {
       "type": "Ahead",
       "kind": "event",
       "function": "approach",
@@ -796,6 +891,27 @@ export const robot = {
       "parts": [
         "MotorsOff"
       ]
+    },
+    {
+      "type": "Pen",
+      "kind": "command",
+      "parts": [
+        "PenDown"
+      ]
+    },
+    {
+      "type": "PenColor",
+      "kind": "command",
+      "parts": [
+        "BlueInk"
+      ]
+    },
+    {
+      "type": "PenWidth",
+      "kind": "command",
+      "parts": [
+        "0.05"
+      ]
     }
   ],
   "sensorTopics": [
@@ -809,6 +925,7 @@ export const robot = {
     "/mobile_base/sensors/dock_ir",
     "/mobile_base/sensors/imu_data",
     "/odom",
+    "/rosy/line",
     "/scan"
   ],
   "channelValues": {
@@ -929,6 +1046,26 @@ export const robot = {
           "CleaningEndSound"
         ]
       ],
+      "Pen": [
+        [
+          "PenUp",
+          "PenDown"
+        ]
+      ],
+      "PenColor": [
+        [
+          "BlackInk",
+          "RedInk",
+          "OrangeInk",
+          "YellowInk",
+          "GreenInk",
+          "BlueInk",
+          "PurpleInk"
+        ]
+      ],
+      "PenWidth": [
+        "Double"
+      ],
       "Say": [
         "String"
       ]
@@ -949,6 +1086,36 @@ export const robot = {
       -60
     ],
     "bumperHalfWidth": 30,
+    "lineDetectors": [
+      [
+        0.156,
+        0.0
+      ],
+      [
+        0.156,
+        0.03
+      ],
+      [
+        0.156,
+        -0.03
+      ],
+      [
+        0.156,
+        0.06
+      ],
+      [
+        0.156,
+        -0.06
+      ],
+      [
+        0.156,
+        0.09
+      ],
+      [
+        0.156,
+        -0.09
+      ]
+    ],
     "cliffPoints": [
       [
         0.08734,

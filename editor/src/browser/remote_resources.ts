@@ -102,6 +102,8 @@ const roomOrder = [
   "pits",
   "table",
   "track",
+  "oval",
+  "crossing",
   "classroom",
   "slippery",
 ]

@@ -68,6 +68,7 @@ function openFloor(name: string): World {
     start: {x: 0, y: 0, theta: 0},
     tile: 0.5,
     tiles: [],
+    lines: [],
     walls: [],
     boxes: [],
     rounds: [],

@@ -59,6 +59,7 @@ function gathered(world: World): World {
     ...world,
     dock: dock === null ? null : {...dock, ...atDock(world, inside([dock.x, dock.y]))},
     walls: world.walls.map(({from, to}) => ({from: inside(from), to: inside(to)})),
+    lines: world.lines.map(line => ({...line, points: line.points.map(inside)})),
     goals: world.goals.map(goal => {
       if (goal.kind === "lap") return {...goal, from: inside(goal.from), to: inside(goal.to)}
       return goal.kind === "visit" || goal.kind === "draw" ? {...goal, points: goal.points.map(inside)} : goal

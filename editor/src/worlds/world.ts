@@ -37,6 +37,12 @@ export interface Round {
   readonly mass: number
 }
 
+/// A black line on the floor from point to point, for the line sensor. It blocks nothing.
+export interface FloorLine {
+  readonly points: readonly Spot[]
+  readonly width: number
+}
+
 /// What is to be done. `title` may be empty, `within` is a limit in seconds or `null`.
 export type WorldGoal = {readonly title: string; readonly within: number | null} & (
   | {readonly kind: "reach" | "touch"; readonly x: number; readonly y: number; readonly r: number}
@@ -78,6 +84,7 @@ export interface World {
   readonly walls: readonly Wall[]
   readonly boxes: readonly Box[]
   readonly rounds: readonly Round[]
+  readonly lines: readonly FloorLine[]
   readonly goals: readonly WorldGoal[]
   readonly realism: Realism | null
   /// Where a docked robot stands.
@@ -93,8 +100,9 @@ export interface World {
 /// A world as it stands in a file: JSON.
 export type WorldFile = {readonly [key: string]: unknown}
 
-/// protocol §6: walls are so thick; a tile, a mass and a number of laps that the file does not say.
+/// protocol §6: walls are so thick; a tile, a line's width, a mass and a number of laps that the file does not say.
 export const wallThickness = 0.05
+export const defaultLineWidth = 0.05
 export const defaultTile = 0.5
 export const defaultMass = 1
 export const defaultLaps = 1
@@ -109,6 +117,7 @@ export const limits = {
   things: 2000,
   movable: 200,
   goals: 10,
+  lines: 10,
   points: 200,
   laps: 1000,
   within: [0.01, 1e6],

@@ -5,8 +5,10 @@ import {Mismatch} from "../wire/decode.ts"
 import {
   type Box,
   defaultLaps,
+  defaultLineWidth,
   defaultMass,
   defaultTile,
+  type FloorLine,
   ideal,
   limits,
   type Pose,
@@ -73,6 +75,7 @@ const known = [
   "dock",
   "battery",
   "scanner",
+  "lines",
 ]
 
 function world(value: unknown): World {
@@ -105,7 +108,8 @@ function world(value: unknown): World {
   if (!(battery >= 0 && battery <= 1))
     throw new Wrong("battery", "the battery must be between 0, empty, and 1, full.")
   const scanner = flag(fields, "scanner", "", true)
-  return {name, title, size, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner}
+  const things = {walls, boxes, rounds, lines: readLines(fields)}
+  return {name, title, size, start, tile, tiles, ...things, goals, realism, dock, battery, scanner}
 }
 
 function readTiles(value: unknown): readonly string[] {
@@ -195,6 +199,17 @@ function round(value: unknown, path: string): Round {
     movable: flag(fields, "movable", path),
     mass: mass(fields, path),
   }
+}
+
+function readLines(fields: Fields): readonly FloorLine[] {
+  const found = items(fields, "lines")
+  if (found.length > limits.lines)
+    throw new Wrong("lines", `a world can have at most ${limits.lines} lines on the floor.`)
+  return found.map(([value, path]) => {
+    const line = record(value, path)
+    const width = field(line, "width") === undefined ? defaultLineWidth : length(line, "width", path)
+    return {points: spots(line, path, 2), width}
+  })
 }
 
 function mass(fields: Fields, path: string): number {

@@ -1,6 +1,14 @@
 /// Encoder of worlds as JSON without default values. `readWorld(writeWorld(world))` is the same world.
 
-import {defaultLaps, defaultMass, defaultTile, type World, type WorldFile, type WorldGoal} from "./world.ts"
+import {
+  defaultLaps,
+  defaultLineWidth,
+  defaultMass,
+  defaultTile,
+  type World,
+  type WorldFile,
+  type WorldGoal,
+} from "./world.ts"
 
 export function writeWorld(world: World): WorldFile {
   const {
@@ -13,6 +21,7 @@ export function writeWorld(world: World): WorldFile {
     walls,
     boxes,
     rounds,
+    lines,
     goals,
     realism,
     dock,
@@ -35,6 +44,10 @@ export function writeWorld(world: World): WorldFile {
       ...(unknown ? {unknown} : {}),
     })),
     ...some("rounds", rounds, ({x, y, r, movable, mass}) => ({x, y, r, ...weight(movable, mass)})),
+    ...some("lines", lines, ({points, width}) => ({
+      points: points.map(p => [...p]),
+      ...(width === defaultLineWidth ? {} : {width}),
+    })),
     ...some("goals", goals, writeGoal),
     ...(realism === null ? {} : {realism: {...realism}}),
     ...(dock === null ? {} : {dock: {x: dock.x, y: dock.y, theta: dock.theta}}),

@@ -123,7 +123,7 @@ describe.each(teachingLanguages)("in %s", language => {
     expect(sections.map(one => one.text).join(" ")).not.toMatch(/[⟦⟧⟨⟩]/)
   })
 
-  // A3 across has six columns of 64 by 270 mm; a line of 7.5 points takes 3.3 mm and holds some 40 letters. Some lines are lost where a column ends.
+  // A3 across has six columns of 64 by 270 mm; a line of 7 points takes 3.1 mm and holds some 40 letters. Some lines are lost where a column ends.
   test("the poster has the Haskell of each card and the robots' types, and fits on its sheet", () => {
     const text = textOf("poster", language)
     const cards = cardsIn(text)
@@ -136,7 +136,7 @@ describe.each(teachingLanguages)("in %s", language => {
       (sum, {caption, haskell}) => sum + linesOf(caption, 40) + linesOf(haskell, 36) + 0.7,
       linesOf(types.join("    "), 40) + 4 * (text.match(/^## /gm)?.length ?? 0),
     )
-    expect(lines).toBeLessThan(6 * (270 / 3.3 - 4))
+    expect(lines).toBeLessThan(6 * (270 / 3.1 - 4))
   })
 
   test("the slides have the idea and the goal of each lesson", () => {

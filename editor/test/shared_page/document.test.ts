@@ -6,7 +6,7 @@ import {type SharedPage, sharedPage} from "../../src/features/shared_page/docume
 import {durationOf, type Film, filmOf, momentAt} from "../../src/features/shared_page/film.ts"
 import {emptyProgram} from "../../src/program/program.ts"
 import type {Frame} from "../../src/state/messages/messages.ts"
-import {emptyRecording, record} from "../../src/state/runs/recording.ts"
+import {emptyRecording, framesBetween, record} from "../../src/state/runs/recording.ts"
 import {emptyRoom, type RoomState} from "../../src/state/runs/room_state.ts"
 import type {World} from "../../src/worlds/world.ts"
 
@@ -20,6 +20,7 @@ const world: World = {
   walls: [],
   boxes: [],
   rounds: [],
+  lines: [],
   goals: [],
   realism: null,
   dock: null,
@@ -75,6 +76,22 @@ describe("the film", () => {
     const film = filmOf(driven(seconds)) as Film
     expect(momentAt(film, 1.5).channels["Bumper"]).toEqual([0, 1, 0])
     expect(momentAt(film, 1.53).channels["Bumper"]).toEqual([0, 0, 0])
+  })
+
+  it("shows what the pen has drawn until then", () => {
+    const {recording, ...room} = driven(4)
+    const frames = [...framesBetween(recording, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)].map(
+      frame => ({
+        ...frame,
+        channels: {Pen: [frame.time >= 1 && frame.time < 2 ? 1 : 0], PenColor: [1], PenWidth: [0.05]},
+      }),
+    )
+    const film = filmOf({...room, recording: frames.reduce(record, emptyRecording)}) as Film
+    expect(momentAt(film, 0.9).ink).toEqual([])
+    const [stroke, ...others] = momentAt(film, 3).ink
+    expect(others).toEqual([])
+    expect(stroke).toMatchObject({color: 1, width: 0.05})
+    expect(stroke?.points.at(-1)?.time).toBeCloseTo(1.96, 1)
   })
 
   it("has the words of the robot for as long as the bubble stands", () => {

@@ -58,6 +58,7 @@ const world: World = {
   walls: [],
   boxes: [],
   rounds: [],
+  lines: [],
   goals: [],
 }
 const open = play(initialState, hear({op: "hello", session: "s"}), robots(false)).state

@@ -13,6 +13,7 @@ export const emptyRoom: World = {
   walls: [],
   boxes: [],
   rounds: [],
+  lines: [],
   goals: [],
   realism: null,
   dock: null,
@@ -101,4 +102,11 @@ export const anyWorld: fc.Arbitrary<World> = fc.record({
   dock: fc.option(fc.record({x: between(0, 0.5), y: between(0, 0.5), theta: between(-7, 7)})),
   battery: between(0, 1),
   scanner: fc.boolean(),
+  lines: fc.array(
+    fc.record({
+      points: fc.array(fc.tuple(place, place), {minLength: 2, maxLength: 5}),
+      width: between(0.01, 1),
+    }),
+    {maxLength: 3},
+  ),
 })

@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Motion
--- Description : Ready-made tasks: closed-loop driving and turning, chance, lights and sounds.
+-- Description : Ready-made tasks: closed-loop driving and turning, chance, lights, sounds and the pen.
 --
 -- Ordinary Rosy programs, written with "Rosy.Task" only. A program that defines one of these names uses its own (rule R20).
 --
@@ -31,6 +31,12 @@ module Rosy.Motion
     -- * Lights and sounds
     blink,
     beep,
+
+    -- * The pen
+    penDown,
+    penUp,
+    penColor,
+    penWidth,
   )
 where
 
@@ -162,3 +168,19 @@ blink color = do
 -- | A short sound.
 beep :: Task ()
 beep = once ButtonSound >> wait 0.5
+
+-- | Lower the pen: from here on the robot draws where it drives.
+penDown :: Task ()
+penDown = once PenDown
+
+-- | Raise the pen: the robot drives on without drawing.
+penUp :: Task ()
+penUp = once PenUp
+
+-- | Draw in this colour from here on.
+penColor :: PenColor -> Task ()
+penColor = once
+
+-- | Draw this many centimetres wide from here on.
+penWidth :: Centimeters -> Task ()
+penWidth width = once (PenWidth (centimetersToMeters width))

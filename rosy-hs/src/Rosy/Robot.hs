@@ -850,6 +850,35 @@ instance Packed AnalogInput where
 
 instance Sensor AnalogInput where sensor = sensedState analogInputChannel fromFields
 
+-- | Where the line on the floor runs under the nose of the robot. At a crossing it is ahead.
+data LineSensor
+  = -- | There is none under the sensor.
+    NoLine
+  | -- | To the left of the middle.
+    LineLeft
+  | -- | Under the middle.
+    LineAhead
+  | -- | To the right of the middle.
+    LineRight
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value LineSensor
+
+instance Default LineSensor
+
+instance Packed LineSensor where
+  pack NoLine = [Whole 0]
+  pack LineLeft = [Whole 1]
+  pack LineAhead = [Whole 2]
+  pack LineRight = [Whole 3]
+  unpack (Whole 0 : rest) = Just (NoLine, rest)
+  unpack (Whole 1 : rest) = Just (LineLeft, rest)
+  unpack (Whole 2 : rest) = Just (LineAhead, rest)
+  unpack (Whole 3 : rest) = Just (LineRight, rest)
+  unpack _ = Nothing
+
+instance Sensor LineSensor where sensor = sensedState lineSensorChannel fromFields
+
 -- | How far the way ahead is free, in metres from the middle of the robot, as far as its distance sensor can see:
 -- 3.5 when nothing is nearer. It is the nearest thing that is at most 10° from straight ahead.
 newtype Ahead = Ahead
@@ -1119,6 +1148,78 @@ instance Packed Sound where
   unpack (Whole 6 : rest) = Just (CleaningEndSound, rest)
   unpack _ = Nothing
 
+-- | Lower or raise the pen under the middle of the robot. A lowered pen draws where the robot drives. It is up at
+-- the start.
+data Pen
+  = PenUp
+  | PenDown
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value Pen
+
+instance Default Pen
+
+instance Packed Pen where
+  pack PenUp = [Whole 0]
+  pack PenDown = [Whole 1]
+  unpack (Whole 0 : rest) = Just (PenUp, rest)
+  unpack (Whole 1 : rest) = Just (PenDown, rest)
+  unpack _ = Nothing
+
+-- | Choose the ink of the pen for what it draws from now on. It is black at the start.
+data PenColor
+  = BlackInk
+  | RedInk
+  | OrangeInk
+  | YellowInk
+  | GreenInk
+  | BlueInk
+  | PurpleInk
+  deriving (Eq, Ord, Show, Read, Enum, Bounded, Generic)
+
+instance Value PenColor
+
+instance Default PenColor
+
+instance Packed PenColor where
+  pack BlackInk = [Whole 0]
+  pack RedInk = [Whole 1]
+  pack OrangeInk = [Whole 2]
+  pack YellowInk = [Whole 3]
+  pack GreenInk = [Whole 4]
+  pack BlueInk = [Whole 5]
+  pack PurpleInk = [Whole 6]
+  unpack (Whole 0 : rest) = Just (BlackInk, rest)
+  unpack (Whole 1 : rest) = Just (RedInk, rest)
+  unpack (Whole 2 : rest) = Just (OrangeInk, rest)
+  unpack (Whole 3 : rest) = Just (YellowInk, rest)
+  unpack (Whole 4 : rest) = Just (GreenInk, rest)
+  unpack (Whole 5 : rest) = Just (BlueInk, rest)
+  unpack (Whole 6 : rest) = Just (PurpleInk, rest)
+  unpack _ = Nothing
+
+-- | Choose how wide the pen draws from now on, in metres. It is 0.03 at the start.
+newtype PenWidth = PenWidth
+  { -- | The width of the stroke, metres; what is drawn has at least 0.002 and at most 0.5.
+    penMeters :: Double
+  }
+  deriving (Eq, Ord, Generic)
+
+instance Show PenWidth where showsPrec = display
+
+instance Read PenWidth where
+  readPrec = parens (prec 10 (do Read.Ident "PenWidth" <- lexP; PenWidth <$> step readPrec))
+  readListPrec = Read.readListPrecDefault
+
+instance Value PenWidth where
+  display d (PenWidth x0) = showParen (d > 10) (showString "PenWidth" . showChar ' ' . display 11 x0)
+
+instance Default PenWidth
+
+instance Packed PenWidth where
+  pack (PenWidth x0) = pack x0
+  unpack f0 = do (x0, f1) <- unpack f0; Just (PenWidth x0, f1)
+
 -- | Write a line in the console and in a bubble over the robot.
 newtype Say = Say String
   deriving (Eq, Ord, Generic)
@@ -1270,9 +1371,20 @@ pattern AnalogInputMessage x <-
   where
     AnalogInputMessage x = Message analogInputChannel (pack x)
 
+-- | The channel of 'LineSensor'.
+lineSensorChannel :: Channel
+lineSensorChannel = channel (id :: LineSensor -> LineSensor) 12 "LineSensor" StateChannel 0 Nothing
+
+-- | A 'LineSensor' on its channel.
+pattern LineSensorMessage :: LineSensor -> Message
+pattern LineSensorMessage x <-
+  Message c (typed lineSensorChannel c -> Just x)
+  where
+    LineSensorMessage x = Message lineSensorChannel (pack x)
+
 -- | The channel of 'Ahead'.
 aheadChannel :: Channel
-aheadChannel = channel (id :: Ahead -> Ahead) 12 "Ahead" EventChannel 0 Nothing
+aheadChannel = channel (id :: Ahead -> Ahead) 13 "Ahead" EventChannel 0 Nothing
 
 -- | A 'Ahead' on its channel.
 pattern AheadMessage :: Ahead -> Message
@@ -1283,7 +1395,7 @@ pattern AheadMessage x <-
 
 -- | The channel of 'Scan'.
 scanChannel :: Channel
-scanChannel = channel (id :: Scan -> Scan) 13 "Scan" EventChannel 0 Nothing
+scanChannel = channel (id :: Scan -> Scan) 14 "Scan" EventChannel 0 Nothing
 
 -- | A 'Scan' on its channel.
 pattern ScanMessage :: Scan -> Message
@@ -1294,7 +1406,7 @@ pattern ScanMessage x <-
 
 -- | The channel of 'Velocity'.
 velocityChannel :: Channel
-velocityChannel = channel (id :: Velocity -> Velocity) 14 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
+velocityChannel = channel (id :: Velocity -> Velocity) 15 "Velocity" CommandChannel 0 (Just [Number 0.0, Number 0.0])
 
 -- | A 'Velocity' on its channel.
 pattern VelocityCommand :: Velocity -> Action
@@ -1307,7 +1419,7 @@ instance Command Velocity where command = sent "speed" velocityChannel
 
 -- | The channel of 'Led1'.
 led1Channel :: Channel
-led1Channel = channel (id :: Led1 -> Led1) 15 "Led1" CommandChannel 0 Nothing
+led1Channel = channel (id :: Led1 -> Led1) 16 "Led1" CommandChannel 0 Nothing
 
 -- | A 'Led1' on its channel.
 pattern Led1Command :: Led1 -> Action
@@ -1320,7 +1432,7 @@ instance Command Led1 where command = sent "number" led1Channel
 
 -- | The channel of 'Led2'.
 led2Channel :: Channel
-led2Channel = channel (id :: Led2 -> Led2) 16 "Led2" CommandChannel 0 Nothing
+led2Channel = channel (id :: Led2 -> Led2) 17 "Led2" CommandChannel 0 Nothing
 
 -- | A 'Led2' on its channel.
 pattern Led2Command :: Led2 -> Action
@@ -1333,7 +1445,7 @@ instance Command Led2 where command = sent "number" led2Channel
 
 -- | The channel of 'ExternalPower'.
 externalPowerChannel :: Channel
-externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 17 "ExternalPower" CommandChannel 4 Nothing
+externalPowerChannel = channel (id :: ExternalPower -> ExternalPower) 18 "ExternalPower" CommandChannel 4 Nothing
 
 -- | A 'ExternalPower' on its channel.
 pattern ExternalPowerCommand :: ExternalPower -> Action
@@ -1346,7 +1458,7 @@ instance Command ExternalPower where command = sent "number" externalPowerChanne
 
 -- | The channel of 'MotorPower'.
 motorPowerChannel :: Channel
-motorPowerChannel = channel (id :: MotorPower -> MotorPower) 18 "MotorPower" CommandChannel 0 Nothing
+motorPowerChannel = channel (id :: MotorPower -> MotorPower) 19 "MotorPower" CommandChannel 0 Nothing
 
 -- | A 'MotorPower' on its channel.
 pattern MotorPowerCommand :: MotorPower -> Action
@@ -1359,7 +1471,7 @@ instance Command MotorPower where command = sent "number" motorPowerChannel
 
 -- | The channel of 'Sound'.
 soundChannel :: Channel
-soundChannel = channel (id :: Sound -> Sound) 19 "Sound" CommandChannel 0 Nothing
+soundChannel = channel (id :: Sound -> Sound) 20 "Sound" CommandChannel 0 Nothing
 
 -- | A 'Sound' on its channel.
 pattern SoundCommand :: Sound -> Action
@@ -1370,9 +1482,48 @@ pattern SoundCommand x <-
 
 instance Command Sound where command = sent "number" soundChannel
 
+-- | The channel of 'Pen'.
+penChannel :: Channel
+penChannel = channel (id :: Pen -> Pen) 21 "Pen" CommandChannel 0 Nothing
+
+-- | A 'Pen' on its channel.
+pattern PenCommand :: Pen -> Action
+pattern PenCommand x <-
+  Action c (typed penChannel c -> Just x)
+  where
+    PenCommand x = Action penChannel (pack x)
+
+instance Command Pen where command = sent "number" penChannel
+
+-- | The channel of 'PenColor'.
+penColorChannel :: Channel
+penColorChannel = channel (id :: PenColor -> PenColor) 22 "PenColor" CommandChannel 0 Nothing
+
+-- | A 'PenColor' on its channel.
+pattern PenColorCommand :: PenColor -> Action
+pattern PenColorCommand x <-
+  Action c (typed penColorChannel c -> Just x)
+  where
+    PenColorCommand x = Action penColorChannel (pack x)
+
+instance Command PenColor where command = sent "number" penColorChannel
+
+-- | The channel of 'PenWidth'.
+penWidthChannel :: Channel
+penWidthChannel = channel (id :: PenWidth -> PenWidth) 23 "PenWidth" CommandChannel 0 Nothing
+
+-- | A 'PenWidth' on its channel.
+pattern PenWidthCommand :: PenWidth -> Action
+pattern PenWidthCommand x <-
+  Action c (typed penWidthChannel c -> Just x)
+  where
+    PenWidthCommand x = Action penWidthChannel (pack x)
+
+instance Command PenWidth where command = sent "number" penWidthChannel
+
 -- | The channel of 'Say'.
 sayChannel :: Channel
-sayChannel = channel (id :: Say -> Say) 20 "Say" CommandChannel 0 Nothing
+sayChannel = channel (id :: Say -> Say) 24 "Say" CommandChannel 0 Nothing
 
 -- | A 'Say' on its channel.
 pattern SayCommand :: Say -> Action

@@ -1,8 +1,9 @@
 """
 Parts of real robots: the types that a program uses and a robot at an address does not have, by the robot descriptions.
 
-What a description calls ``onDemand``, a laser scanner, is there when the address says ``scanner=on``: the
-simulated robot carries one, a bought one has none, and some have one added, which a serial cable does not reach.
+A channel with an ``option``, such as that of a laser scanner or a pen, is there when the address says so
+(``scanner=on``): the simulated robot has it, a bought one does not, and some have it added, which a serial cable does
+not reach.
 """
 
 from __future__ import annotations
@@ -25,8 +26,12 @@ def missing_parts(address: str, uses: list[str]) -> list[str]:
     name = _robot_name(address)
     if name not in known_robots():
         return []
-    has_scanner = not address.startswith("serial:") and _option(address, "scanner") == "on"
-    has = {c["name"] for c in description(name)["channels"] if has_scanner or not c.get("onDemand", False)}
+    is_serial = address.startswith("serial:")
+    has = {
+        channel["name"]
+        for channel in description(name)["channels"]
+        if "option" not in channel or (not is_serial and _option(address, channel["option"]) == "on")
+    }
     channels = _channels()
     return [used for used in uses if used in channels and channels[used] not in has]
 

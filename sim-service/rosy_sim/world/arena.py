@@ -11,13 +11,26 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from ..sentences.sentence import tr
-from .field_readers import MAX_SIDE, ArenaError, Pose, flag, items, number, object_fields, point, positive, required
+from .field_readers import (
+    MAX_SIDE,
+    ArenaError,
+    Pose,
+    flag,
+    items,
+    number,
+    object_fields,
+    point,
+    points,
+    positive,
+    required,
+)
 from .goals import Goal, read_goals
 from .realism import Realism, read_realism
 
 __all__ = [
     "DEFAULT_BOX_MASS",
     "DEFAULT_TILE",
+    "MAX_LINES",
     "MAX_MOVABLE",
     "MAX_SHAPES",
     "MAX_SIDE",
@@ -26,6 +39,7 @@ __all__ = [
     "Arena",
     "ArenaError",
     "Box",
+    "FloorLine",
     "Pose",
     "Round",
     "Wall",
@@ -46,6 +60,12 @@ MAX_TILES = 40_000
 
 MAX_SHAPES = 2_000
 """Most walls, boxes and rounds together."""
+
+DEFAULT_LINE_WIDTH = 0.05
+"""Of a line on the floor when the world does not say, m."""
+
+MAX_LINES = 10
+"""Most lines on the floor; each has at most 200 points."""
 
 MAX_MOVABLE = 200
 """Most boxes and rounds that can be pushed. They take some 15 ms to build; 2,000 took 400 to 900 ms."""
@@ -90,6 +110,14 @@ class Round:
 
 
 @dataclass(frozen=True, slots=True)
+class FloorLine:
+    """A black line on the floor from point to point, ``width`` m wide with round ends. It blocks nothing."""
+
+    points: tuple[tuple[float, float], ...]
+    width: float = DEFAULT_LINE_WIDTH
+
+
+@dataclass(frozen=True, slots=True)
 class Arena:
     """A room. ``tiles`` has its first row at the top; it is empty when the whole room is floor."""
 
@@ -111,6 +139,7 @@ class Arena:
     battery: float = 1.0
     # Whether the robot carries a laser scanner.
     scanner: bool = True
+    lines: tuple[FloorLine, ...] = ()
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -152,6 +181,7 @@ def read_arena(value: object) -> Arena:
         "dock",
         "battery",
         "scanner",
+        "lines",
     }
     for key in fields:
         if key not in known:
@@ -187,7 +217,22 @@ def read_arena(value: object) -> Arena:
     if not 0 <= battery <= 1:
         raise ArenaError("battery", tr("the battery must be between 0, empty, and 1, full."))
     scanner = flag(fields, "scanner", missing=True)
-    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner)
+    lines = _lines(fields)
+    return Arena(
+        name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner, lines
+    )
+
+
+def _lines(fields: dict[str, object]) -> tuple[FloorLine, ...]:
+    found = items(fields, "lines")
+    if len(found) > MAX_LINES:
+        raise ArenaError("lines", tr("a world can have at most {most} lines on the floor.", most=MAX_LINES))
+    return tuple(_line(object_fields(value, path), path) for value, path in found)
+
+
+def _line(fields: dict[str, object], path: str) -> FloorLine:
+    width = positive(fields, "width", path) if "width" in fields else DEFAULT_LINE_WIDTH
+    return FloorLine(points(fields, path, 2), width)
 
 
 def _tiles(value: object) -> tuple[str, ...]:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 from ..sentences.sentence import Sentence, SentenceError, tr
 
 __all__ = [
+    "MAX_POINTS",
     "MAX_SIDE",
     "MIN_LENGTH",
     "ArenaError",
@@ -16,6 +17,7 @@ __all__ = [
     "number",
     "object_fields",
     "point",
+    "points",
     "positive",
     "required",
 ]
@@ -25,6 +27,10 @@ MAX_SIDE = 100.0
 
 MIN_LENGTH = 0.01
 """Smallest length of a thing in a world, m."""
+
+
+MAX_POINTS = 200
+"""Most points of a goal or of a line on the floor."""
 
 
 class Pose(NamedTuple):
@@ -106,3 +112,13 @@ def point(value: object, path: str) -> tuple[float, float]:
     if not isinstance(value, list) or len(value) != 2:
         raise ArenaError(path, tr("expected a point: two numbers, x and y."))
     return number(value[0], f"{path}[0]"), number(value[1], f"{path}[1]")
+
+
+def points(fields: dict[str, object], path: str, least: int) -> tuple[tuple[float, float], ...]:
+    """The ``points`` of a thing: at least so many, and at most ``MAX_POINTS``."""
+    found = tuple(point(value, where) for value, where in items(fields, "points", path))
+    if not least <= len(found) <= MAX_POINTS:
+        raise ArenaError(
+            f"{path}.points", tr("expected at least {least} and at most {most} points.", least=least, most=MAX_POINTS)
+        )
+    return found

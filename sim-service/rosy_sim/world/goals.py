@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple, Protocol
 
 from ..sentences.sentence import tr
-from .field_readers import ArenaError, items, number, object_fields, point, positive
+from .field_readers import ArenaError, items, number, object_fields, point, points, positive
 
 __all__ = [
     "Avoid",
@@ -41,9 +41,6 @@ _MAX_SAMPLES = 1000
 
 MAX_GOALS = 10
 """Of a world."""
-
-_MAX_POINTS = 200
-"""Of a goal."""
 
 
 class Observation(NamedTuple):
@@ -183,7 +180,7 @@ def _goal(fields: dict[str, object], path: str) -> Goal:
         case "avoid":
             return _avoid(fields, path, title)
         case "visit":
-            return Visit(_points(fields, path, 1), positive(fields, "r", path), title, within)
+            return Visit(points(fields, path, 1), positive(fields, "r", path), title, within)
         case "lap":
             line = object_fields(fields.get("line"), f"{path}.line")
             laps = number(fields.get("laps", 1), f"{path}.laps")
@@ -192,7 +189,7 @@ def _goal(fields: dict[str, object], path: str) -> Goal:
             start, end = (point(line.get(key), f"{path}.line.{key}") for key in ("from", "to"))
             return Lap(start, end, int(laps), title, within)
         case _:
-            return Draw(_points(fields, path, 2), positive(fields, "tolerance", path), title, within)
+            return Draw(points(fields, path, 2), positive(fields, "tolerance", path), title, within)
 
 
 def _avoid(fields: dict[str, object], path: str, title: str) -> Avoid:
@@ -203,15 +200,6 @@ def _avoid(fields: dict[str, object], path: str, title: str) -> Avoid:
     if what == "bumps" or what == "holes":
         return Avoid(what, title)
     raise ArenaError(f"{path}.what", tr("expected bumps, holes or place."))
-
-
-def _points(fields: dict[str, object], path: str, least: int) -> tuple[_Point, ...]:
-    found = tuple(point(value, where) for value, where in items(fields, "points", path))
-    if not least <= len(found) <= _MAX_POINTS:
-        raise ArenaError(
-            f"{path}.points", tr("expected at least {least} and at most {most} points.", least=least, most=_MAX_POINTS)
-        )
-    return found
 
 
 class _Tracker(Protocol):

@@ -27,6 +27,12 @@ from rosy_sim.ownership.robot_parts import missing_parts
         ("ros://h?scanner=on", ["Ahead", "Bumper", "Scan"], []),
         ("serial:/dev/kobuki?scanner=on", ["Ahead"], ["Ahead"]),
         ("ws://h?robot=create3&scanner=on", ["Ahead"], ["Ahead"]),
+        ("ros://h?scanner=on", ["Pen", "PenColor", "PenWidth"], ["Pen", "PenColor", "PenWidth"]),
+        ("ros://h?pen=on", ["Pen", "PenColor", "PenWidth"], []),
+        ("serial:/dev/kobuki?pen=on", ["Pen"], ["Pen"]),
+        ("ws://h?robot=turtlesim", ["Pen"], ["Pen"]),
+        ("ros://h", ["LineSensor"], ["LineSensor"]),
+        ("ros://h?line=on", ["LineSensor"], []),
     ],
 )
 def test_views_belong_to_their_channel(address: str, uses: list[str], missing: list[str]) -> None:

@@ -1,4 +1,4 @@
-"""Commands that last: the power connectors and the motors."""
+"""Commands that last: the power connectors, the motors and the pen."""
 
 from __future__ import annotations
 
@@ -32,3 +32,12 @@ def test_without_motor_power_the_wheels_stand() -> None:
     assert drive(world, 30) == 0.0
     world.command(Command("MotorPower", (1,)))
     assert drive(world, 30) == pytest.approx(0.3)
+
+
+def test_the_pen_keeps_what_it_was_told() -> None:
+    world = hall()
+    assert [world.channels()[name] for name in ("Pen", "PenColor", "PenWidth")] == [(0,), (0,), (0.03,)]
+    world.command(Command("Pen", (1,)))
+    world.command(Command("PenWidth", (0.1,)))
+    world.integrate()
+    assert [world.channels()[name] for name in ("Pen", "PenColor", "PenWidth")] == [(1,), (0,), (0.1,)]

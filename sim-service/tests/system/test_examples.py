@@ -46,8 +46,11 @@ def worker() -> Iterator[BlockingWorker]:
     yield from worker_started()
 
 
-REMEMBERED = {("cruise", "safetyControl"), ("safetyControl", "cruise")}
-"""Winners and losers in examples. The page does not report them: one reads what the other one's events have written."""
+REMEMBERED = {("cruise", "safetyControl"), ("safetyControl", "cruise"), ("turn", "drive")}
+"""
+Winners and losers in examples. The page does not report them: one reads what the other one's events have written, or is
+a task after the other.
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -159,6 +162,33 @@ def test_draw_square_turns_at_four_corners_half_a_metre_apart_and_ends_where_it_
     assert math.dist((world.x, world.y), (10.0, 10.0)) < 0.03
     assert world.theta == pytest.approx(2 * math.pi, abs=0.08)
     assert (world.v, world.w) == (0.0, 0.0)
+
+
+def test_draw_star_draws_five_lines_of_a_metre_and_raises_the_pen(worker: BlockingWorker) -> None:
+    run = example(worker, "drawStar", 90)
+    assert run.outcome.ended == "done"
+    assert [c for line in run.lines for c in line["commands"] if c.startswith("Pen") or c.endswith("Ink")] == [
+        "BlueInk",
+        "PenWidth 5.0e-2",
+        "PenDown",
+        "PenUp",
+    ]
+    drawn = [line for line in run.lines if line["v"] > 0.2]
+    assert all(math.dist((line["x"], line["y"]), (10.0, 10.0)) < 1.05 for line in drawn)
+    assert math.dist((run.world.x, run.world.y), (10.0, 10.0)) < 0.05
+    assert run.world.channels()["Pen"] == (0,)
+
+
+@pytest.mark.parametrize("room", ["oval", "crossing"])
+def test_follow_line_drives_a_lap_and_turns_only_as_far_as_the_line_does(room: str, worker: BlockingWorker) -> None:
+    run = example(worker, "followLine", 100, world=room)
+    [goal] = run.outcome.goals
+    assert goal.state == "done"
+    assert {command for line in run.lines for command in line["commands"]} == {
+        "Velocity 0.2 0.0",
+        "Velocity 0.1 1.0",
+        "Velocity 0.1 (-1.0)",
+    } - ({"Velocity 0.1 (-1.0)"} if room == "oval" else set())
 
 
 @pytest.mark.parametrize(("start", "distance"), [((1.5, 2.0, 0.0), 332), ((2.5, 2.0, 0.0), 232)])

@@ -119,13 +119,26 @@ main = simulate drive
 """
 
 
-def test_a_start_says_which_types_of_the_library_the_program_uses(worker: BlockingWorker) -> None:
+STEPS = "main = simulate $ do\n  penColor RedInk\n  replicateM_ 2 (penDown >> drive 10)\n  once (PenWidth 0.1)\n"
+"""Ready-made tasks, whose types are in no function of the program."""
+
+
+@pytest.mark.parametrize(
+    ("source", "types"),
+    [
+        (USING, ["BumperLeft", "Button", "Cliff", "Led1", "Velocity"]),
+        (STEPS, ["Pen", "PenColor", "PenWidth"]),
+    ],
+)
+def test_a_start_says_which_types_of_the_library_the_program_uses(
+    source: str, types: list[str], worker: BlockingWorker
+) -> None:
     ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
     with ours:
-        answer = worker.run(USING, theirs)
+        answer = worker.run(source, theirs)
     worker.kill()
     assert isinstance(answer, Started), answer
-    assert [name for name in answer.uses if name in TYPES] == ["BumperLeft", "Button", "Cliff", "Led1", "Velocity"]
+    assert [name for name in answer.uses if name in TYPES] == types
 
 
 def test_forward_backward_ends_at_the_wall_behind(worker: BlockingWorker) -> None:

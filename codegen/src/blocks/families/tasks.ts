@@ -486,6 +486,36 @@ export const tasks: readonly BlockSpec[] = [
     tooltip: words.tasks.beeps,
     hasDefinition: true,
   })),
+  call("step_pen_down", "penDown", () => ({
+    words: words.tasks.penDown,
+    sockets: [],
+    tooltip: words.tasks.pensDown,
+    hasDefinition: true,
+  })),
+  call("step_pen_up", "penUp", () => ({
+    words: words.tasks.penUp,
+    sockets: [],
+    tooltip: words.tasks.pensUp,
+    hasDefinition: true,
+  })),
+  call("step_pen_color", "penColor", () => ({
+    sockets: [{name: "X", words: words.tasks.penColor, aria: words.tasks.colour, hint: words.tasks.colour}],
+    tooltip: words.tasks.pensColor,
+    hasDefinition: true,
+  })),
+  call("step_pen_width", "penWidth", () => ({
+    sockets: [
+      {
+        name: "X",
+        words: words.tasks.penWidth,
+        unit: "cm",
+        aria: words.tasks.centimetres,
+        hint: words.tasks.number,
+      },
+    ],
+    tooltip: words.tasks.pensWidth,
+    hasDefinition: true,
+  })),
   ifStep,
   run,
 ]

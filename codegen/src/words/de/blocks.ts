@@ -403,6 +403,16 @@ export const blocks: Pick<
     blinks: "Eine halbe Sekunde Licht, eine halbe Sekunde keines. Beispiel: blinke Red.",
     beep: "piepe",
     beeps: "Ein kurzer Ton. Beispiel: fahre bis zu einem Stoß, dann piepe.",
+    penDown: "Stift runter",
+    pensDown:
+      "Senkt den Stift: ab hier zeichnet der Roboter im Simulator, wo er fährt. Beispiel: Stift runter, dann fahre 50 cm.",
+    penUp: "Stift hoch",
+    pensUp:
+      "Hebt den Stift: der Roboter fährt weiter und zeichnet nicht. Beispiel: Stift hoch, dann fahre 20 cm.",
+    penColor: "zeichne mit",
+    pensColor: "Zeichnet ab hier in dieser Farbe. Beispiel: zeichne mit RedInk.",
+    penWidth: "Stiftbreite",
+    pensWidth: "Zeichnet ab hier so viele Zentimeter breit, höchstens 50. Beispiel: Stiftbreite 5 cm.",
   },
   values: {
     number: "Zahl",

@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Schaltet einen Stromanschluss ein oder aus. Beispiel: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "Breite, Meter"
+      ],
+      "tooltip": "Stellt, wie breit der Stift zeichnet. Beispiel: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "Text"
@@ -214,11 +220,14 @@ export const robot = {
     "RobotStatus": "Zustand",
     "Charger": "Lader",
     "DockSignal": "Bereich",
+    "LineSensor": "Linie",
     "LedColor": "Farbe",
     "PowerSource": "Anschluss",
     "PowerStatus": "Zustand",
     "MotorPower": "Motoren",
-    "Sound": "Ton"
+    "Sound": "Ton",
+    "Pen": "Stift",
+    "PenColor": "Stiftfarbe"
   },
   "nouns": {
     "BumperSide": "eine Seite der Stoßstange",
@@ -251,6 +260,7 @@ export const robot = {
     "DockInfraRed": "ein Signal der Ladestation",
     "DigitalInput": "eine Änderung der digitalen Eingänge",
     "AnalogInput": "die analogen Eingänge",
+    "LineSensor": "der Ort der Linie",
     "Ahead": "ein Abstand nach vorn",
     "Scan": "ein Laserscan",
     "LedColor": "eine Farbe",
@@ -261,6 +271,9 @@ export const robot = {
     "ExternalPower": "ein Stromschalter",
     "MotorPower": "ein Motorschalter",
     "Sound": "ein Ton",
+    "Pen": "eine Stellung des Stifts",
+    "PenColor": "eine Stiftfarbe",
+    "PenWidth": "eine Stiftbreite",
     "Say": "etwas zu sagen"
   },
   "names": {
@@ -285,6 +298,7 @@ export const robot = {
     "DockInfraRed": "Infrarot Strahl Ladestation heim",
     "DigitalInput": "Anschluss Stift Schalter",
     "AnalogInput": "Anschluss Stift Spannung",
+    "LineSensor": "Linie folgen Boden Strecke schwarz Streifen Sensor",
     "Ahead": "Abstand Entfernung weit nah Wand vorn Laser Lidar Sensor Meter messen Hindernis",
     "Scan": "Laser Lidar Scan Abstände ringsum Strahl Richtung Sensor",
     "LedColor": "Licht Lampe",
@@ -293,6 +307,9 @@ export const robot = {
     "ExternalPower": "Anschluss Strom Volt Versorgung",
     "MotorPower": "Räder Antrieb aus Bremse",
     "Sound": "Ton Geräusch Musik piepen",
+    "Pen": "Stift zeichnen malen Zeichnung Bild Schildkröte Linie Strich absetzen",
+    "PenColor": "Stift Tinte Farbe zeichnen malen bunt",
+    "PenWidth": "Stift dick dünn breit Strich zeichnen malen",
     "Say": "sprechen reden schreiben sagen"
   },
   "toolbox": {
@@ -302,10 +319,14 @@ export const robot = {
     "DockInfraRed": "wenn es die Ladestation sieht",
     "DigitalInput": "wenn sich ein digitaler Eingang ändert",
     "AnalogInput": "wenn es analoge Eingänge hat",
+    "LineSensor": "wenn die Linie links ist",
     "Ahead": "wenn es den Weg nach vorn misst",
     "Scan": "wenn es ringsum misst",
     "ExternalPower": "einen Stromanschluss schalten: ExternalPower",
-    "MotorPower": "die Motoren schalten: MotorPower"
+    "MotorPower": "die Motoren schalten: MotorPower",
+    "Pen": "den Stift senken: PenDown",
+    "PenColor": "die Farbe des Stifts wählen: PenColor",
+    "PenWidth": "die Breite des Stifts stellen: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -359,6 +380,12 @@ export const robot = {
       "FarLeft": "fern, links",
       "FarRight": "fern, rechts"
     },
+    "LineSensor": {
+      "NoLine": "keine Linie",
+      "LineLeft": "links",
+      "LineAhead": "voraus",
+      "LineRight": "rechts"
+    },
     "LedColor": {
       "Black": "aus",
       "Green": "grün",
@@ -387,13 +414,29 @@ export const robot = {
       "ErrorSound": "Fehler",
       "CleaningStartSound": "Reinigung beginnt",
       "CleaningEndSound": "Reinigung endet"
+    },
+    "Pen": {
+      "PenUp": "oben",
+      "PenDown": "unten"
+    },
+    "PenColor": {
+      "BlackInk": "schwarz",
+      "RedInk": "rot",
+      "OrangeInk": "orange",
+      "YellowInk": "gelb",
+      "GreenInk": "grün",
+      "BlueInk": "blau",
+      "PurpleInk": "lila"
     }
   },
   "actuators": {
     "Velocity": "die Geschwindigkeit",
     "Led1": "das erste Licht",
     "Led2": "das zweite Licht",
-    "MotorPower": "den Strom der Motoren"
+    "MotorPower": "den Strom der Motoren",
+    "Pen": "den Stift",
+    "PenColor": "die Farbe des Stifts",
+    "PenWidth": "die Breite des Stifts"
   },
   "charts": {
     "bumperLeft": "Stoßstange links",

@@ -381,6 +381,15 @@ export const blocks = {
     blinks: "Half a second of light, half a second without. Example: blink Red.",
     beep: "beep",
     beeps: "A short sound. Example: drive until a bump, then beep.",
+    penDown: "pen down",
+    pensDown:
+      "Lowers the pen: from here on the robot draws where it drives, in the simulator. Example: pen down, then drive 50 cm.",
+    penUp: "pen up",
+    pensUp: "Raises the pen: the robot drives on without drawing. Example: pen up, then drive 20 cm.",
+    penColor: "draw with",
+    pensColor: "Draws in this colour from here on. Example: draw with RedInk.",
+    penWidth: "pen width",
+    pensWidth: "Draws this many centimetres wide from here on, at most 50. Example: pen width 5 cm.",
   },
   values: {
     number: "number",

@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Switches a power connector on or off. Example: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "width, metres"
+      ],
+      "tooltip": "Sets how wide the pen draws. Example: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "text"
@@ -214,11 +220,14 @@ export const robot = {
     "RobotStatus": "status",
     "Charger": "charger",
     "DockSignal": "region",
+    "LineSensor": "line",
     "LedColor": "colour",
     "PowerSource": "connector",
     "PowerStatus": "status",
     "MotorPower": "motors",
-    "Sound": "sound"
+    "Sound": "sound",
+    "Pen": "pen",
+    "PenColor": "pen colour"
   },
   "nouns": {
     "BumperSide": "a side of the bumper",
@@ -251,6 +260,7 @@ export const robot = {
     "DockInfraRed": "a signal of the dock",
     "DigitalInput": "a change of the digital inputs",
     "AnalogInput": "the analogue inputs",
+    "LineSensor": "the place of the line",
     "Ahead": "a distance ahead",
     "Scan": "a laser scan",
     "LedColor": "a colour",
@@ -261,6 +271,9 @@ export const robot = {
     "ExternalPower": "a power switch",
     "MotorPower": "a motor switch",
     "Sound": "a sound",
+    "Pen": "a pen position",
+    "PenColor": "a pen colour",
+    "PenWidth": "a pen width",
     "Say": "something to say"
   },
   "names": {
@@ -285,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrared beam charging station home",
     "DigitalInput": "connector pin switch port",
     "AnalogInput": "connector pin voltage port",
+    "LineSensor": "line follow floor track black stripe path sensor",
     "Ahead": "distance far near wall ahead laser lidar sensor metres measure obstacle",
     "Scan": "laser lidar scan distances all around beam direction sensor",
     "LedColor": "light lamp",
@@ -293,6 +307,9 @@ export const robot = {
     "ExternalPower": "connector supply volts",
     "MotorPower": "wheels drive off brake",
     "Sound": "beep noise music tone",
+    "Pen": "pen draw drawing paint picture turtle logo line stroke",
+    "PenColor": "pen ink color draw paint",
+    "PenWidth": "pen thick thin broad stroke draw",
     "Say": "speak talk write print"
   },
   "toolbox": {
@@ -302,10 +319,14 @@ export const robot = {
     "DockInfraRed": "when it sees the dock",
     "DigitalInput": "when a digital input changes",
     "AnalogInput": "when it has analogue inputs",
+    "LineSensor": "when the line is to the left",
     "Ahead": "when it measures the way ahead",
     "Scan": "when it measures all around",
     "ExternalPower": "switch a power connector: ExternalPower",
-    "MotorPower": "switch the motors: MotorPower"
+    "MotorPower": "switch the motors: MotorPower",
+    "Pen": "lower the pen: PenDown",
+    "PenColor": "choose the colour of the pen: PenColor",
+    "PenWidth": "set the width of the pen: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -359,6 +380,12 @@ export const robot = {
       "FarLeft": "far, left",
       "FarRight": "far, right"
     },
+    "LineSensor": {
+      "NoLine": "no line",
+      "LineLeft": "to the left",
+      "LineAhead": "ahead",
+      "LineRight": "to the right"
+    },
     "LedColor": {
       "Black": "off",
       "Green": "green",
@@ -387,13 +414,29 @@ export const robot = {
       "ErrorSound": "error",
       "CleaningStartSound": "cleaning starts",
       "CleaningEndSound": "cleaning ends"
+    },
+    "Pen": {
+      "PenUp": "up",
+      "PenDown": "down"
+    },
+    "PenColor": {
+      "BlackInk": "black",
+      "RedInk": "red",
+      "OrangeInk": "orange",
+      "YellowInk": "yellow",
+      "GreenInk": "green",
+      "BlueInk": "blue",
+      "PurpleInk": "purple"
     }
   },
   "actuators": {
     "Velocity": "the velocity",
     "Led1": "the first light",
     "Led2": "the second light",
-    "MotorPower": "the power of the motors"
+    "MotorPower": "the power of the motors",
+    "Pen": "the pen",
+    "PenColor": "the colour of the pen",
+    "PenWidth": "the width of the pen"
   },
   "charts": {
     "bumperLeft": "Left bumper",

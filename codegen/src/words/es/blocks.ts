@@ -398,6 +398,16 @@ export const blocks: Pick<
     blinks: "Medio segundo con luz, medio segundo sin ella. Ejemplo: parpadear Red.",
     beep: "pitar",
     beeps: "Un sonido corto. Ejemplo: avanzar hasta chocar, después pitar.",
+    penDown: "bajar el lápiz",
+    pensDown:
+      "Baja el lápiz: desde aquí el robot dibuja por donde va, en el simulador. Ejemplo: bajar el lápiz, después avanzar 50 cm.",
+    penUp: "subir el lápiz",
+    pensUp: "Sube el lápiz: el robot sigue sin dibujar. Ejemplo: subir el lápiz, después avanzar 20 cm.",
+    penColor: "dibujar con",
+    pensColor: "Dibuja con este color desde aquí. Ejemplo: dibujar con RedInk.",
+    penWidth: "ancho del lápiz",
+    pensWidth:
+      "Dibuja con este ancho en centímetros desde aquí, 50 como máximo. Ejemplo: ancho del lápiz 5 cm.",
   },
   values: {
     number: "número",

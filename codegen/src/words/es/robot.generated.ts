@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Enciende o apaga un conector de corriente. Ejemplo: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "ancho, metros"
+      ],
+      "tooltip": "Ajusta el ancho del trazo del lápiz. Ejemplo: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texto"
@@ -214,11 +220,14 @@ export const robot = {
     "RobotStatus": "estado",
     "Charger": "cargador",
     "DockSignal": "zona",
+    "LineSensor": "línea",
     "LedColor": "color",
     "PowerSource": "conector",
     "PowerStatus": "estado",
     "MotorPower": "motores",
-    "Sound": "sonido"
+    "Sound": "sonido",
+    "Pen": "lápiz",
+    "PenColor": "color del lápiz"
   },
   "nouns": {
     "BumperSide": "un lado del parachoques",
@@ -251,6 +260,7 @@ export const robot = {
     "DockInfraRed": "una señal de la base de carga",
     "DigitalInput": "un cambio de las entradas digitales",
     "AnalogInput": "un valor de las entradas analógicas",
+    "LineSensor": "el lugar de la línea",
     "Ahead": "una distancia hacia delante",
     "Scan": "un barrido láser",
     "LedColor": "un color",
@@ -261,6 +271,9 @@ export const robot = {
     "ExternalPower": "un interruptor de corriente",
     "MotorPower": "un interruptor de los motores",
     "Sound": "un sonido",
+    "Pen": "una posición del lápiz",
+    "PenColor": "un color del lápiz",
+    "PenWidth": "un ancho del lápiz",
     "Say": "algo que decir"
   },
   "names": {
@@ -285,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrarrojo rayo base estación carga cargador casa",
     "DigitalInput": "conector pin interruptor puerto digital",
     "AnalogInput": "conector pin voltaje puerto analógica",
+    "LineSensor": "línea seguir suelo pista negra raya sensor",
     "Ahead": "distancia lejos cerca pared delante láser lidar sensor metros medir obstáculo",
     "Scan": "láser lidar barrido distancias alrededor haz dirección sensor",
     "LedColor": "luz lámpara color",
@@ -293,6 +307,9 @@ export const robot = {
     "ExternalPower": "conector corriente alimentación voltios",
     "MotorPower": "motor ruedas apagar freno",
     "Sound": "sonido pitido pitar ruido música tono",
+    "Pen": "lápiz dibujar dibujo pintar tortuga línea trazo bolígrafo",
+    "PenColor": "lápiz tinta color dibujar pintar",
+    "PenWidth": "lápiz grueso fino ancho trazo dibujar",
     "Say": "hablar decir escribir mostrar"
   },
   "toolbox": {
@@ -302,10 +319,14 @@ export const robot = {
     "DockInfraRed": "cuando ve la base de carga",
     "DigitalInput": "cuando cambia una entrada digital",
     "AnalogInput": "cuando tiene entradas analógicas",
+    "LineSensor": "cuando la línea está a la izquierda",
     "Ahead": "cuando mide el camino que tiene delante",
     "Scan": "cuando mide todo a su alrededor",
     "ExternalPower": "encender o apagar un conector de corriente: ExternalPower",
-    "MotorPower": "encender o apagar los motores: MotorPower"
+    "MotorPower": "encender o apagar los motores: MotorPower",
+    "Pen": "bajar el lápiz: PenDown",
+    "PenColor": "elegir el color del lápiz: PenColor",
+    "PenWidth": "ajustar el ancho del lápiz: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -359,6 +380,12 @@ export const robot = {
       "FarLeft": "lejos, izquierda",
       "FarRight": "lejos, derecha"
     },
+    "LineSensor": {
+      "NoLine": "sin línea",
+      "LineLeft": "a la izquierda",
+      "LineAhead": "delante",
+      "LineRight": "a la derecha"
+    },
     "LedColor": {
       "Black": "apagado",
       "Green": "verde",
@@ -387,13 +414,29 @@ export const robot = {
       "ErrorSound": "error",
       "CleaningStartSound": "empieza la limpieza",
       "CleaningEndSound": "termina la limpieza"
+    },
+    "Pen": {
+      "PenUp": "arriba",
+      "PenDown": "abajo"
+    },
+    "PenColor": {
+      "BlackInk": "negro",
+      "RedInk": "rojo",
+      "OrangeInk": "naranja",
+      "YellowInk": "amarillo",
+      "GreenInk": "verde",
+      "BlueInk": "azul",
+      "PurpleInk": "morado"
     }
   },
   "actuators": {
     "Velocity": "la velocidad",
     "Led1": "la primera luz",
     "Led2": "la segunda luz",
-    "MotorPower": "la corriente de los motores"
+    "MotorPower": "la corriente de los motores",
+    "Pen": "el lápiz",
+    "PenColor": "el color del lápiz",
+    "PenWidth": "el ancho del lápiz"
   },
   "charts": {
     "bumperLeft": "Parachoques izquierdo",

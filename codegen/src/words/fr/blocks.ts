@@ -405,6 +405,17 @@ export const blocks: Pick<
     blinks: "Une demi-seconde de lumière, une demi-seconde sans. Exemple : clignoter Red.",
     beep: "biper",
     beeps: "Un son court. Exemple : avancer jusqu'au choc, puis biper.",
+    penDown: "baisser le stylo",
+    pensDown:
+      "Baisse le stylo : à partir d'ici, le robot dessine son chemin, dans le simulateur. Exemple : baisser le stylo, puis avancer de 50 cm.",
+    penUp: "lever le stylo",
+    pensUp:
+      "Lève le stylo : le robot continue sans dessiner. Exemple : lever le stylo, puis avancer de 20 cm.",
+    penColor: "dessiner avec",
+    pensColor: "Dessine dans cette couleur à partir d'ici. Exemple : dessiner avec RedInk.",
+    penWidth: "largeur du stylo",
+    pensWidth:
+      "Dessine avec cette largeur en centimètres à partir d'ici, 50 au plus. Exemple : largeur du stylo 5 cm.",
   },
   values: {
     number: "nombre",

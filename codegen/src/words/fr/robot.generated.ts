@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Allume ou éteint une prise de courant du robot. Exemple : ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "largeur, mètres"
+      ],
+      "tooltip": "Règle la largeur du trait du stylo. Exemple : PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texte"
@@ -214,11 +220,14 @@ export const robot = {
     "RobotStatus": "état",
     "Charger": "chargeur",
     "DockSignal": "zone",
+    "LineSensor": "ligne",
     "LedColor": "couleur",
     "PowerSource": "prise",
     "PowerStatus": "état",
     "MotorPower": "moteurs",
-    "Sound": "son"
+    "Sound": "son",
+    "Pen": "stylo",
+    "PenColor": "couleur du stylo"
   },
   "nouns": {
     "BumperSide": "un côté du pare-chocs",
@@ -251,6 +260,7 @@ export const robot = {
     "DockInfraRed": "un signal de la station de charge",
     "DigitalInput": "un changement des entrées numériques",
     "AnalogInput": "un groupe d'entrées analogiques",
+    "LineSensor": "la place de la ligne",
     "Ahead": "une distance devant",
     "Scan": "un balayage laser",
     "LedColor": "une couleur",
@@ -261,6 +271,9 @@ export const robot = {
     "ExternalPower": "un interrupteur de courant",
     "MotorPower": "un interrupteur des moteurs",
     "Sound": "un son",
+    "Pen": "une position du stylo",
+    "PenColor": "une couleur du stylo",
+    "PenWidth": "une largeur du stylo",
     "Say": "quelque chose à dire"
   },
   "names": {
@@ -285,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infrarouge rayon station charge maison",
     "DigitalInput": "connecteur broche interrupteur port",
     "AnalogInput": "connecteur broche tension port",
+    "LineSensor": "ligne suivre sol piste noire trait capteur",
     "Ahead": "distance loin près mur devant laser lidar capteur mètres mesurer obstacle",
     "Scan": "laser lidar balayage distances autour faisceau direction capteur",
     "LedColor": "lumière lampe",
@@ -293,6 +307,9 @@ export const robot = {
     "ExternalPower": "prise connecteur alimentation courant volts",
     "MotorPower": "roues moteur éteindre frein",
     "Sound": "bip bruit musique note",
+    "Pen": "stylo crayon dessiner dessin peindre tortue ligne trait",
+    "PenColor": "stylo encre couleur dessiner peindre",
+    "PenWidth": "stylo épais fin large trait dessiner",
     "Say": "parler dire écrire afficher"
   },
   "toolbox": {
@@ -302,10 +319,14 @@ export const robot = {
     "DockInfraRed": "quand il voit la station de charge",
     "DigitalInput": "quand une entrée numérique change",
     "AnalogInput": "quand il a des entrées analogiques",
+    "LineSensor": "quand la ligne est à gauche",
     "Ahead": "quand il mesure la voie devant",
     "Scan": "quand il mesure tout autour",
     "ExternalPower": "allumer ou éteindre une prise : ExternalPower",
-    "MotorPower": "allumer ou éteindre les moteurs : MotorPower"
+    "MotorPower": "allumer ou éteindre les moteurs : MotorPower",
+    "Pen": "baisser le stylo : PenDown",
+    "PenColor": "choisir la couleur du stylo : PenColor",
+    "PenWidth": "régler la largeur du stylo : PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -359,6 +380,12 @@ export const robot = {
       "FarLeft": "loin, à gauche",
       "FarRight": "loin, à droite"
     },
+    "LineSensor": {
+      "NoLine": "pas de ligne",
+      "LineLeft": "à gauche",
+      "LineAhead": "devant",
+      "LineRight": "à droite"
+    },
     "LedColor": {
       "Black": "éteint",
       "Green": "vert",
@@ -387,13 +414,29 @@ export const robot = {
       "ErrorSound": "erreur",
       "CleaningStartSound": "début du nettoyage",
       "CleaningEndSound": "fin du nettoyage"
+    },
+    "Pen": {
+      "PenUp": "levé",
+      "PenDown": "baissé"
+    },
+    "PenColor": {
+      "BlackInk": "noir",
+      "RedInk": "rouge",
+      "OrangeInk": "orange",
+      "YellowInk": "jaune",
+      "GreenInk": "vert",
+      "BlueInk": "bleu",
+      "PurpleInk": "violet"
     }
   },
   "actuators": {
     "Velocity": "la vitesse",
     "Led1": "la première lumière",
     "Led2": "la deuxième lumière",
-    "MotorPower": "l'alimentation des moteurs"
+    "MotorPower": "l'alimentation des moteurs",
+    "Pen": "le stylo",
+    "PenColor": "la couleur du stylo",
+    "PenWidth": "la largeur du stylo"
   },
   "charts": {
     "bumperLeft": "Pare-chocs gauche",

@@ -397,6 +397,16 @@ export const blocks: Pick<
     blinks: "Meio segundo de luz, meio segundo sem luz. Exemplo: pisque Red.",
     beep: "apite",
     beeps: "Um som curto. Exemplo: ande até bater, depois apite.",
+    penDown: "abaixe a caneta",
+    pensDown:
+      "Abaixa a caneta: daqui em diante o robô desenha por onde anda, no simulador. Exemplo: abaixe a caneta, depois ande 50 cm.",
+    penUp: "levante a caneta",
+    pensUp: "Levanta a caneta: o robô continua sem desenhar. Exemplo: levante a caneta, depois ande 20 cm.",
+    penColor: "desenhe com",
+    pensColor: "Desenha nesta cor daqui em diante. Exemplo: desenhe com RedInk.",
+    penWidth: "largura da caneta",
+    pensWidth:
+      "Desenha com esta largura em centímetros daqui em diante, no máximo 50. Exemplo: largura da caneta 5 cm.",
   },
   values: {
     number: "número",

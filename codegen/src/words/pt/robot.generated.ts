@@ -196,6 +196,12 @@ export const robot = {
       ],
       "tooltip": "Liga ou desliga um conector de energia. Exemplo: ExternalPower Power12V5A PowerOff."
     },
+    "PenWidth": {
+      "parts": [
+        "largura, metros"
+      ],
+      "tooltip": "Define a largura do traço da caneta. Exemplo: PenWidth 0.05."
+    },
     "Say": {
       "parts": [
         "texto"
@@ -214,11 +220,14 @@ export const robot = {
     "RobotStatus": "estado",
     "Charger": "carregador",
     "DockSignal": "região",
+    "LineSensor": "linha",
     "LedColor": "cor",
     "PowerSource": "conector",
     "PowerStatus": "estado",
     "MotorPower": "motores",
-    "Sound": "som"
+    "Sound": "som",
+    "Pen": "caneta",
+    "PenColor": "cor da caneta"
   },
   "nouns": {
     "BumperSide": "um lado do para-choque",
@@ -251,6 +260,7 @@ export const robot = {
     "DockInfraRed": "um sinal da base",
     "DigitalInput": "uma mudança das entradas digitais",
     "AnalogInput": "um valor das entradas analógicas",
+    "LineSensor": "o lugar da linha",
     "Ahead": "uma distância à frente",
     "Scan": "uma varredura a laser",
     "LedColor": "uma cor",
@@ -261,6 +271,9 @@ export const robot = {
     "ExternalPower": "um interruptor de energia",
     "MotorPower": "um interruptor dos motores",
     "Sound": "um som",
+    "Pen": "uma posição da caneta",
+    "PenColor": "uma cor da caneta",
+    "PenWidth": "uma largura da caneta",
     "Say": "algo para dizer"
   },
   "names": {
@@ -285,6 +298,7 @@ export const robot = {
     "DockInfraRed": "infravermelho raio base de carga estação casa",
     "DigitalInput": "conector pino chave porta",
     "AnalogInput": "conector pino tensão porta",
+    "LineSensor": "linha seguir chão pista preta faixa sensor",
     "Ahead": "distância longe perto parede frente laser lidar sensor metros medir obstáculo",
     "Scan": "laser lidar varredura distâncias em volta feixe direção sensor",
     "LedColor": "luz lâmpada",
@@ -293,6 +307,9 @@ export const robot = {
     "ExternalPower": "conector fonte volts",
     "MotorPower": "rodas dirigir desligar freio",
     "Sound": "bipe barulho música tom som",
+    "Pen": "caneta desenhar desenho pintar tartaruga linha traço riscar",
+    "PenColor": "caneta tinta cor desenhar pintar",
+    "PenWidth": "caneta grosso fino largo traço desenhar",
     "Say": "falar dizer escrever mostrar"
   },
   "toolbox": {
@@ -302,10 +319,14 @@ export const robot = {
     "DockInfraRed": "quando ele vê a base",
     "DigitalInput": "quando uma entrada digital muda",
     "AnalogInput": "quando ele tem entradas analógicas",
+    "LineSensor": "quando a linha está à esquerda",
     "Ahead": "quando ele mede o caminho à frente",
     "Scan": "quando ele mede tudo em volta",
     "ExternalPower": "ligar ou desligar um conector de energia: ExternalPower",
-    "MotorPower": "ligar ou desligar os motores: MotorPower"
+    "MotorPower": "ligar ou desligar os motores: MotorPower",
+    "Pen": "abaixar a caneta: PenDown",
+    "PenColor": "escolher a cor da caneta: PenColor",
+    "PenWidth": "mudar a largura da caneta: PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -359,6 +380,12 @@ export const robot = {
       "FarLeft": "longe, à esquerda",
       "FarRight": "longe, à direita"
     },
+    "LineSensor": {
+      "NoLine": "sem linha",
+      "LineLeft": "à esquerda",
+      "LineAhead": "em frente",
+      "LineRight": "à direita"
+    },
     "LedColor": {
       "Black": "apagada",
       "Green": "verde",
@@ -387,13 +414,29 @@ export const robot = {
       "ErrorSound": "erro",
       "CleaningStartSound": "começo da limpeza",
       "CleaningEndSound": "fim da limpeza"
+    },
+    "Pen": {
+      "PenUp": "levantada",
+      "PenDown": "abaixada"
+    },
+    "PenColor": {
+      "BlackInk": "preto",
+      "RedInk": "vermelho",
+      "OrangeInk": "laranja",
+      "YellowInk": "amarelo",
+      "GreenInk": "verde",
+      "BlueInk": "azul",
+      "PurpleInk": "roxo"
     }
   },
   "actuators": {
     "Velocity": "a velocidade",
     "Led1": "a primeira luz",
     "Led2": "a segunda luz",
-    "MotorPower": "a energia dos motores"
+    "MotorPower": "a energia dos motores",
+    "Pen": "a caneta",
+    "PenColor": "a cor da caneta",
+    "PenWidth": "a largura da caneta"
   },
   "charts": {
     "bumperLeft": "Para-choque esquerdo",

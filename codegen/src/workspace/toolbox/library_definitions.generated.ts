@@ -4024,5 +4024,192 @@ export const generated: unknown = [
     }
    }
   }
+ },
+ {
+  "name": "penDown",
+  "block": {
+   "type": "define",
+   "extraState": {
+    "name": "penDown",
+    "as": "task",
+    "arity": 0,
+    "equations": [
+     {}
+    ],
+    "signature": "Task ()"
+   },
+   "inputs": {
+    "E0_0": {
+     "block": {
+      "type": "name",
+      "extraState": {
+       "name": "once",
+       "args": 1
+      },
+      "inputs": {
+       "A0": {
+        "block": {
+         "type": "choice",
+         "extraState": {
+          "of": "Pen",
+          "value": "PenDown"
+         }
+        }
+       }
+      }
+     }
+    }
+   },
+   "icons": {
+    "comment": {
+     "text": "| Lower the pen: from here on the robot draws where it drives."
+    }
+   }
+  }
+ },
+ {
+  "name": "penUp",
+  "block": {
+   "type": "define",
+   "extraState": {
+    "name": "penUp",
+    "as": "task",
+    "arity": 0,
+    "equations": [
+     {}
+    ],
+    "signature": "Task ()"
+   },
+   "inputs": {
+    "E0_0": {
+     "block": {
+      "type": "name",
+      "extraState": {
+       "name": "once",
+       "args": 1
+      },
+      "inputs": {
+       "A0": {
+        "block": {
+         "type": "choice",
+         "extraState": {
+          "of": "Pen",
+          "value": "PenUp"
+         }
+        }
+       }
+      }
+     }
+    }
+   },
+   "icons": {
+    "comment": {
+     "text": "| Raise the pen: the robot drives on without drawing."
+    }
+   }
+  }
+ },
+ {
+  "name": "penColor",
+  "block": {
+   "type": "define",
+   "extraState": {
+    "name": "penColor",
+    "as": "task",
+    "arity": 0,
+    "equations": [
+     {}
+    ],
+    "signature": "PenColor -> Task ()"
+   },
+   "inputs": {
+    "E0_0": {
+     "block": {
+      "type": "name",
+      "extraState": {
+       "name": "once",
+       "args": 0
+      }
+     }
+    }
+   },
+   "icons": {
+    "comment": {
+     "text": "| Draw in this colour from here on."
+    }
+   }
+  }
+ },
+ {
+  "name": "penWidth",
+  "block": {
+   "type": "define",
+   "extraState": {
+    "name": "penWidth",
+    "as": "task",
+    "arity": 1,
+    "equations": [
+     {}
+    ],
+    "signature": "Centimeters -> Task ()"
+   },
+   "inputs": {
+    "P0_0": {
+     "block": {
+      "type": "pattern_name",
+      "extraState": {
+       "name": "width"
+      }
+     }
+    },
+    "E0_0": {
+     "block": {
+      "type": "name",
+      "extraState": {
+       "name": "once",
+       "args": 1
+      },
+      "inputs": {
+       "A0": {
+        "block": {
+         "type": "construct",
+         "extraState": {
+          "con": "PenWidth",
+          "args": 1
+         },
+         "inputs": {
+          "A0": {
+           "block": {
+            "type": "name",
+            "extraState": {
+             "name": "centimetersToMeters",
+             "args": 1
+            },
+            "inputs": {
+             "A0": {
+              "block": {
+               "type": "name",
+               "extraState": {
+                "name": "width",
+                "args": 0
+               }
+              }
+             }
+            }
+           }
+          }
+         }
+        }
+       }
+      }
+     }
+    }
+   },
+   "icons": {
+    "comment": {
+     "text": "| Draw this many centimetres wide from here on."
+    }
+   }
+  }
  }
 ]

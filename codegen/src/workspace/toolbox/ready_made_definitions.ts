@@ -11,6 +11,7 @@ import {
   con,
   infix,
   make,
+  match,
   named,
   num,
   pat,
@@ -40,6 +41,7 @@ function task(name: string, ...steps: readonly SavedBlock[]): SavedBlock {
 }
 
 const drive = (speed: string, turning: string) => con("Velocity", num(speed), num(turning))
+const line = (place: string) => match("LineSensor", place)
 const nothing = con("Nothing")
 const forever = (...steps: readonly SavedBlock[]) => make("step_forever", {}, {S: stacked(steps)})
 const curve = (degrees: string) => make("step_curve_until_obstacle", {}, {X: num(degrees)})
@@ -65,6 +67,19 @@ export const readyReactions = perLanguage((): readonly ToolboxItem[] => {
         {when: cliff("Hole"), answer: con("Led1", pick("LedColor", "Red"))},
         {when: cliff("Floor"), answer: con("Led1", pick("LedColor", "Black"))},
       ]),
+    ),
+    item(
+      w.followLine,
+      answers(
+        "followLine",
+        [
+          {when: line("LineAhead"), answer: drive("0.2", "0")},
+          {when: line("LineLeft"), answer: drive("0.1", "1")},
+          {when: line("LineRight"), answer: drive("0.1", "-1")},
+          {when: line("NoLine"), answer: drive("0", "0.5")},
+        ],
+        "state",
+      ),
     ),
     item(
       w.buttonSound,

@@ -77,6 +77,10 @@ export const motionItems = perLanguage((): readonly ToolboxItem[] => {
     item(words.toolbox.waitSomeSeconds, make("step_wait", {}, {X: num("1")})),
     item(motion.blink, make("step_blink", {}, {X: pick("LedColor", "Red")})),
     item(motion.beep, make("step_beep")),
+    item(motion.penDown, make("step_pen_down")),
+    item(motion.penUp, make("step_pen_up")),
+    item(motion.penColor, make("step_pen_color", {}, {X: pick("PenColor", "RedInk")})),
+    item(motion.penWidth, make("step_pen_width", {}, {X: num("5")})),
   ]
 })
 

@@ -223,7 +223,7 @@ function PathPicture({room, isLive}: {readonly room: RoomState; readonly isLive:
   const second = isLive && active ? Math.floor(room.frame?.time ?? 0) : room.trail
   useLayoutEffect(() => {
     if (canvas.current !== null && room.world !== null)
-      drawThumbnail(canvas.current, room.world, picturePath(room.trail))
+      drawThumbnail(canvas.current, room.world, picturePath(room.trail), [], room.ink)
   }, [second, room.world, theme])
   return <canvas ref={canvas} />
 }

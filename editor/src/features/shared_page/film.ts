@@ -2,6 +2,7 @@
 
 import type {Frame} from "../../state/messages/messages.ts"
 import type {Channels} from "../../state/runs/channels.ts"
+import {extendInk, type Ink, type InkFrame} from "../../state/runs/ink.ts"
 import {framesBetween} from "../../state/runs/recording.ts"
 import {type RoomState, speech} from "../../state/runs/room_state.ts"
 import {normalizeAngle} from "../../views/room/poses.ts"
@@ -26,8 +27,8 @@ export interface Film {
   readonly words: readonly (readonly [number, string])[]
 }
 
-/// The channels that show on the robot (`views/room/robot_drawing.ts`).
-const drawnChannels = ["Bumper", "Cliff", "Wheel", "Button", "Led1", "Led2"]
+/// The channels that show on the robot (`views/room/robot_drawing.ts`), and what its pen draws with.
+const drawnChannels = ["Bumper", "Cliff", "Wheel", "Button", "Led1", "Led2", "Pen", "PenColor", "PenWidth"]
 
 /// Shots of a film: a minute at 25 a second. A longer run has them further apart, so that the file stays small.
 const mostShots = 1500
@@ -95,6 +96,8 @@ export interface Moment {
   readonly objects: readonly Triple[]
   /// The path up to here, m.
   readonly path: readonly (readonly [number, number])[]
+  /// What the pen has drawn up to here.
+  readonly ink: Ink
   /// What the bubble of speech says.
   readonly said: string | null
 }
@@ -108,6 +111,8 @@ export function momentAt({shots, words, world}: Film, time: number): Moment {
   let channels: Channels = {}
   let objects: readonly Triple[] = []
   const path: (readonly [number, number])[] = []
+  let ink: Ink = []
+  let before: InkFrame | null = null
   let [at, next]: [Shot | undefined, Shot | undefined] = [shots[0], undefined]
   for (const shot of shots) {
     if (shot[0] > ms && path.length > 0) {
@@ -118,6 +123,9 @@ export function momentAt({shots, words, world}: Film, time: number): Moment {
     channels = shot[4] ?? channels
     objects = shot[5] ?? objects
     path.push([shot[1] / 1000, shot[2] / 1000])
+    const drawing: InkFrame = {time: shot[0] / 1000, x: shot[1] / 1000, y: shot[2] / 1000, channels}
+    ink = extendInk(ink, before, drawing)
+    before = drawing
   }
   const {start} = world
   const [from, x, y, theta] = at ?? [0, ...triple([start.x, start.y, start.theta])]
@@ -137,6 +145,7 @@ export function momentAt({shots, words, world}: Film, time: number): Moment {
     channels,
     objects: objects.map(([a, b, c]) => [a / 1000, b / 1000, c / 1000]),
     path,
+    ink,
     said: bubble?.text ?? null,
   }
 }

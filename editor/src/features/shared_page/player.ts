@@ -4,6 +4,7 @@
 import {cornerOf, follow, lookAt, toScreen} from "../../views/room/camera.ts"
 import {type Palette, readPalette} from "../../views/room/palette.ts"
 import {drawBubble, drawRobot} from "../../views/room/robot_drawing.ts"
+import {drawInk} from "../../views/room/trail_drawing.ts"
 import {drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
 import {isLarge} from "../../worlds/world.ts"
 import {durationOf, type Film, momentAt} from "./film.ts"
@@ -63,6 +64,7 @@ function draw(): void {
   ctx.lineWidth = Math.max(2.5 / camera.scale, 0.02)
   ctx.strokeStyle = palette.trail
   ctx.stroke()
+  drawInk(ctx, moment.ink, palette, camera.scale)
   drawObjects(ctx, film.world, moment.objects, palette, camera.scale)
   ctx.save()
   ctx.translate(moment.x, moment.y)

@@ -8,6 +8,7 @@ import type {Frame} from "../messages/messages.ts"
 import {noPreview, type PreviewState} from "../messages/preview.ts"
 import {speedOf} from "./channels.ts"
 import {addFirings, emptyLog, type FiringLog, firingsUntil} from "./firing_log.ts"
+import {extendInk, type Ink, inkUntil} from "./ink.ts"
 import {emptyRecording, frameAt, framesBetween, type Recording, record, recordedUntil} from "./recording.ts"
 
 export interface Point {
@@ -56,6 +57,8 @@ export interface RoomState {
   /// The learner looks back at this time of the run, in seconds; `null` shows the newest frame.
   readonly lookedAt: number | null
   readonly trail: Trail
+  /// What the pen has drawn.
+  readonly ink: Ink
   /// What the robot said, oldest first, and when, in seconds of the run.
   readonly words: readonly Words[]
   /// The goals of the world and how far they are in this run.
@@ -87,6 +90,7 @@ export const emptyRoom: RoomState = {
   recording: emptyRecording,
   lookedAt: null,
   trail: [],
+  ink: [],
   words: [],
   goals: [],
   fired: {},
@@ -136,6 +140,7 @@ export function roomUntil(room: RoomState, time: number): RoomState {
     frame: frameAt(recording, time),
     lookedAt: null,
     trail: trail.filter(piece => piece.length > 0),
+    ink: inkUntil(room.ink, time),
     words: room.words.filter(said => said.time <= time),
     fired,
     firings: firingsUntil(room.firings, time),
@@ -177,7 +182,8 @@ export function addFrame(room: RoomState, heard: Frame): RoomState {
       : {...room.fired, ...Object.fromEntries(frame.fired.map(name => [name, frame.time]))}
   const recording = record(room.recording, frame)
   const trail = extendTrail(room.trail, {...frame, speed: Math.abs(speedOf(frame))})
-  return {...room, frame, recording, trail, fired, firings: addFirings(room.firings, firings ?? [])}
+  const ink = extendInk(room.ink, room.frame, frame)
+  return {...room, frame, recording, trail, ink, fired, firings: addFirings(room.firings, firings ?? [])}
 }
 
 /// The frame to draw: the newest, or the one the learner looks back at.

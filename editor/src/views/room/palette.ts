@@ -23,8 +23,13 @@ export interface Palette {
   readonly ring: string
   readonly mark: string
   readonly leds: readonly [string, string, string, string]
+  /// The colours of the pen, by the numbers of `PenColor`.
+  readonly inks: readonly string[]
   readonly font: string
 }
+
+/// protocol/robots, `PenColor`.
+const penColors = ["black", "red", "orange", "yellow", "green", "blue", "purple"] as const
 
 export function readPalette(element: Element): Palette {
   const style = getComputedStyle(element)
@@ -54,6 +59,7 @@ export function paletteOf(token: (name: string) => string): Palette {
     ring: token("--robot-ring"),
     mark: token("--robot-mark"),
     leds: [token("--led-black"), token("--led-green"), token("--led-orange"), token("--led-red")],
+    inks: penColors.map(color => token(`--pen-${color}`)),
     font: token("--ui"),
   }
 }

@@ -14,6 +14,7 @@ import type {World} from "../../worlds/world.ts"
 import {type Layer, openLayer} from "./cached_layer.ts"
 import {toScreen, Viewport} from "./camera.ts"
 import {handleOf} from "./gestures.ts"
+
 import type {Overlay} from "./overlay.ts"
 import {drawOverlay, drawRunNames} from "./overlay_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
@@ -21,7 +22,7 @@ import {type MovableObject, movableObjectsOf, type Pose, RobotMotion} from "./po
 import {drawPreview} from "./preview_drawing.ts"
 import {type QuestionTarget, type Spot, targetAt} from "./question_targets.ts"
 import {drawBeams, drawBubble, drawGhost, drawRobot} from "./robot_drawing.ts"
-import {openPath, type PathView} from "./trail_drawing.ts"
+import {type InkView, openInk, openPath, type PathView} from "./trail_drawing.ts"
 import {trailUntil} from "./trail_segments.ts"
 import {drawObjects, drawWorld} from "./world_drawing.ts"
 
@@ -56,6 +57,7 @@ export class RoomPicture {
   private readonly motion = new RobotMotion()
   private readonly ground: Layer
   private readonly path: PathView
+  private readonly ink: InkView
   private palette: Palette
   private trail: Trail = []
   /// The speech bubble where it is drawn, in pixels.
@@ -74,6 +76,7 @@ export class RoomPicture {
     const margin = () => this.viewport.margin()
     this.ground = openLayer(margin)
     this.path = openPath(this.palette, margin)
+    this.ink = openInk(this.palette, margin)
   }
 
   invalidate(): void {
@@ -83,6 +86,7 @@ export class RoomPicture {
   recolour(): void {
     this.palette = readPalette(this.canvas)
     this.path.recolour(this.palette)
+    this.ink.recolour(this.palette)
     this.ground.forget()
   }
 
@@ -130,6 +134,8 @@ export class RoomPicture {
     if (preview !== null) drawPreview(ctx, preview.preview, preview.current, palette, scale)
     if (overlay !== null) drawOverlay(ctx, overlay, palette, scale)
     this.path.draw(ctx, room, sight.trail, pose)
+    // Over the trail, which would hide a line as thin as itself.
+    this.ink.draw(ctx, room.ink, room.lookedAt)
     viewport.inMetres(ctx)
     this.things = movableObjectsOf(world, frame?.boxes ?? [])
     drawObjects(ctx, world, frame?.boxes ?? [], palette, scale)
@@ -147,6 +153,7 @@ export class RoomPicture {
     viewport.show(world, robot, this.follows)
     const {camera, size} = viewport
     this.path.place(camera, size)
+    this.ink.place(camera, size)
     if (!ground.covers(camera, size)) drawWorld(ground.ctx, world, this.palette, camera.scale)
     ground.show(this.ctx, camera)
   }

@@ -1,10 +1,12 @@
 /// Drawing of the static world: floor, grid, holes, walls, objects, goals; and thumbnails of a room. In metres; the context is already scaled.
 
+import type {Ink} from "../../state/runs/ink.ts"
 import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
 import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
 import {drawRobot} from "./robot_drawing.ts"
+import {drawInk} from "./trail_drawing.ts"
 
 export function drawWorld(
   ctx: CanvasRenderingContext2D,
@@ -28,6 +30,7 @@ export function drawWorld(
   drawGrid(ctx, width, height, palette, scale)
   drawTiles(ctx, world, palette, scale)
   drawUnknown(ctx, world, palette, scale)
+  drawLines(ctx, world, palette)
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.wall
   ctx.lineWidth = wallThickness
@@ -46,6 +49,19 @@ export function drawWorld(
   ctx.lineWidth = border
   ctx.strokeStyle = palette.wall
   ctx.strokeRect(-border / 2, -border / 2, width + border, height + border)
+}
+
+/// The lines that the line sensor sees, as dark as the words of the page.
+function drawLines(ctx: CanvasRenderingContext2D, {lines}: World, palette: Palette): void {
+  ctx.lineCap = "round"
+  ctx.lineJoin = "round"
+  ctx.strokeStyle = palette.ink
+  for (const {points, width} of lines) {
+    ctx.lineWidth = width
+    ctx.beginPath()
+    for (const [x, y] of points) ctx.lineTo(x, y)
+    ctx.stroke()
+  }
 }
 
 /// Distance of the lines that hatch what no scan has seen, in CSS pixels.
@@ -260,6 +276,7 @@ export function drawThumbnail(
   world: World,
   path: readonly (readonly [number, number])[] = [],
   bumps: readonly (readonly [number, number])[] = [],
+  ink: Ink = [],
 ): void {
   const ctx = canvas.getContext("2d")
   if (ctx === null) return
@@ -286,6 +303,7 @@ export function drawThumbnail(
   ctx.lineCap = "round"
   ctx.strokeStyle = palette.trail
   ctx.stroke()
+  drawInk(ctx, ink, palette, camera.scale)
   for (const [x, y] of bumps) drawMark(ctx, x, y, "cross", palette, camera.scale)
   ctx.translate(world.start.x, world.start.y)
   ctx.rotate(world.start.theta)

@@ -128,7 +128,7 @@ explainTargetError e = case e of
   StrangeValue o v -> trWith "\"{value}\" does not fit the option {option}." ["value" =: T.pack v, "option" =: T.pack o]
   StrangeProfile f -> trWith "The profile {file} cannot be read. It is a JSON object of options, such as {example}." ["file" =: T.pack f, "example" =: "{\"prefix\": \"/robot1\"}"]
   where
-    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "rearm", "patience", "scanner", "profile"]
+    known = ["robot", "ros", "prefix", "odometry", "velocity", "messages", "stamped", "max_speed", "max_turn", "safety", "rearm", "patience", "scanner", "pen", "line", "profile"]
 
 -- | The profile that is named there, if one is: its options come before those of the address.
 profileFile :: String -> Maybe FilePath
@@ -198,8 +198,8 @@ option t (k, v) = case k of
   "patience" -> number (\x -> t {targetPatience = x})
   "safety" -> switch (\yes -> t {targetSafety = yes})
   "rearm" -> switch (\yes -> t {targetRearm = yes})
-  -- Whether it carries a laser scanner that its description does not have: the service asks before it starts a program.
-  "scanner" -> switch (const t)
+  -- Whether it carries a part that a bought one does not have: the service asks before it starts a program.
+  _ | k `elem` ["scanner", "pen", "line"] -> switch (const t)
   "bridge" | Ros2 domain namespace _ <- targetTransport t -> maybe bad (\port -> Right t {targetTransport = Ros2 domain namespace (Just port)}) (readMaybe v)
   _ -> Left (StrangeOption k)
   where

@@ -41,6 +41,7 @@ kobuki =
           Mapping dockInfraRedChannel "{prefix}/sensors/dock_ir" "{messages}/DockInfraRed" [At [Key "data", Index 2] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 1] (TheFirstOf [1, 2, 4, 8, 16, 32]), At [Key "data", Index 0] (TheFirstOf [1, 2, 4, 8, 16, 32])] [] [] Published,
           Mapping digitalInputChannel "{prefix}/events/digital_input" "{messages}/DigitalInputEvent" [At [Key "values", Index 0] ATruth, At [Key "values", Index 1] ATruth, At [Key "values", Index 2] ATruth, At [Key "values", Index 3] ATruth] [] [] Published,
           Mapping analogInputChannel "{prefix}/sensors/core" "{messages}/SensorState" [At [Key "analog_input", Index 0] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 1] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 2] (ANumber 0.0008058608058608059), At [Key "analog_input", Index 3] (ANumber 0.0008058608058608059)] [] [] Published,
+          Mapping lineSensorChannel "/rosy/line" "std_msgs/UInt8" [At [Key "data"] AWhole] [] [] Published,
           Mapping aheadChannel "/scan" "sensor_msgs/LaserScan" [NearestAhead 0.17453292519943295] [] [] Published,
           Mapping scanChannel "/scan" "sensor_msgs/LaserScan" [At [Key "angle_min"] (ANumber 1), At [Key "angle_increment"] (ANumber 1), At [Key "range_min"] (ANumber 1), At [Key "range_max"] (ANumber 1), ScanRanges] [] [([Key "angle_max"], "6.265732014659643"), ([Key "time_increment"], "0.0"), ([Key "scan_time"], "0.2")] Published,
           Mapping velocityChannel "{velocity}" "geometry_msgs/Twist" [At [Key "linear", Key "x"] (ANumber 1), At [Key "angular", Key "z"] (ANumber 1)] [] [([Key "linear", Key "y"], "0.0"), ([Key "linear", Key "z"], "0.0"), ([Key "angular", Key "x"], "0.0"), ([Key "angular", Key "y"], "0.0")] Published,
@@ -49,9 +50,12 @@ kobuki =
           Mapping externalPowerChannel "{prefix}/commands/external_power" "{messages}/ExternalPower" [At [Key "source"] AWhole, At [Key "state"] AWhole] [] [] Latched,
           Mapping motorPowerChannel "{prefix}/commands/motor_power" "{messages}/MotorPower" [At [Key "state"] AWhole] [] [] Latched,
           Mapping soundChannel "{prefix}/commands/sound" "{messages}/Sound" [At [Key "value"] AWhole] [] [] Published,
+          Mapping penChannel "/rosy/pen" "std_msgs/UInt8" [At [Key "data"] AWhole] [] [] Latched,
+          Mapping penColorChannel "/rosy/pen_color" "std_msgs/UInt8" [At [Key "data"] AWhole] [] [] Latched,
+          Mapping penWidthChannel "/rosy/pen_width" "std_msgs/Float64" [At [Key "data"] (ANumber 1)] [] [] Latched,
           Mapping sayChannel "/rosy/say" "std_msgs/String" [At [Key "data"] AText] [] [] Published
         ],
-      robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1])],
+      robotHeld = [(led1Channel, [Whole 0]), (led2Channel, [Whole 0]), (externalPowerChannel, [Whole 1, Whole 1, Whole 1, Whole 1]), (motorPowerChannel, [Whole 1]), (penChannel, [Whole 0]), (penColorChannel, [Whole 0]), (penWidthChannel, [Number 0.03])],
       robotOnDemand = [aheadChannel, scanChannel],
       robotLimits = (0.7, 3.141592653589793),
       robotWheels = Just (0.7, 0.23),
@@ -94,8 +98,10 @@ kobuki =
           ("nav_msgs", "Odometry", "Header header\nstring child_frame_id\ngeometry_msgs/PoseWithCovariance pose\ngeometry_msgs/TwistWithCovariance twist\n"),
           ("sensor_msgs", "Imu", "Header header\ngeometry_msgs/Quaternion orientation\nfloat64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\nfloat64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\nfloat64[9] linear_acceleration_covariance\n"),
           ("sensor_msgs", "LaserScan", "Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\nfloat32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\nfloat32[] ranges\nfloat32[] intensities\n"),
+          ("std_msgs", "Float64", "float64 data\n"),
           ("std_msgs", "Header", "uint32 seq\ntime stamp\nstring frame_id\n"),
-          ("std_msgs", "String", "string data\n")
+          ("std_msgs", "String", "string data\n"),
+          ("std_msgs", "UInt8", "uint8 data\n")
         ]
     }
 

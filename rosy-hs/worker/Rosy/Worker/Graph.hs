@@ -61,7 +61,7 @@ data Connection = Connection
 data ConnectionUse = Taken | Sent
   deriving (Eq, Show)
 
--- | The types of the library that the functions of these parts take and give, each once, in alphabetical order.
+-- | The types of the library that the functions and ready-made tasks of these parts take and give, each once, in alphabetical order.
 usedTypes :: [Part] -> [Text]
 usedTypes = Set.toAscList . foldMap used
   where
@@ -69,13 +69,26 @@ usedTypes = Set.toAscList . foldMap used
       FunctionPart {} -> foldMap leaves (gives part : takes part)
       TaskPart {} -> foldMap used (begins part ++ runs part)
       ChartPart {} -> foldMap used (steps part)
-      StepPart {} -> Set.empty
+      StepPart {} -> Set.fromList [t | (task, types) <- typesInTasks, task == partName part, t <- types]
     leaves shape = case shape of
       AllOf shapes -> foldMap leaves shapes
       EitherOf shapes -> foldMap leaves shapes
       MaybeOf inner -> leaves inner
       EachOf inner -> leaves inner
       Leaf {} -> if isOwn shape then Set.empty else Set.singleton (spelled shape)
+
+-- | What the ready-made tasks ("Rosy.Motion") need of a robot that not every robot has.
+typesInTasks :: [(Text, [Text])]
+typesInTasks =
+  [ ("beep", ["Sound"]),
+    ("blink", ["Led1"]),
+    ("curveUntilObstacle", ["Bumper", "Cliff"]),
+    ("driveUntilBump", ["Bumper"]),
+    ("penColor", ["PenColor"]),
+    ("penDown", ["Pen"]),
+    ("penUp", ["Pen"]),
+    ("penWidth", ["PenWidth"])
+  ]
 
 instance ToJSON Part where
   toJSON part = case part of

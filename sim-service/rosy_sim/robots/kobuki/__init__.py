@@ -9,6 +9,7 @@ from . import facts
 from .connector import Connector
 from .dock_receivers import DockReceivers
 from .gyroscope import Gyroscope
+from .line_sensor import LineSensor
 from .power import Power
 from .sensors import bumper_bits, cliff_bits, edges, hanging_wheels, states
 
@@ -32,9 +33,17 @@ KOBUKI = Robot(
     hanging_wheels=hanging_wheels,
     changes=edges,
     states=states,
-    outputs={"Led1": (0,), "Led2": (0,), "ExternalPower": (1, 1, 1, 1), "MotorPower": (1,)},
+    outputs={
+        "Led1": (0,),
+        "Led2": (0,),
+        "ExternalPower": (1, 1, 1, 1),
+        "MotorPower": (1,),
+        "Pen": (0,),
+        "PenColor": (0,),
+        "PenWidth": (0.03,),
+    },
     motor_switch="MotorPower",
-    devices=(Gyroscope, Power, DockReceivers, Connector),
+    devices=(Gyroscope, Power, DockReceivers, Connector, LineSensor),
     scanner=ScannerModel(
         beams=facts.SCANNER_BEAMS,
         nearest=facts.SCANNER_NEAREST,

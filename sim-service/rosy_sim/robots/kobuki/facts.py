@@ -15,6 +15,7 @@ __all__ = [
     "COMMAND_TIMEOUT",
     "CONTACT_GAP",
     "INERTIA",
+    "LINE_DETECTORS",
     "MASS",
     "MAX_ACCELERATION",
     "MAX_ANGULAR_ACCELERATION",
@@ -80,6 +81,9 @@ is a few millimetres, and the physics keeps bodies apart to a tenth of one."""
 
 CLIFF_POINTS = _points(_BODY["cliffPoints"])
 """Left, centre and right cliff sensor in the robot frame, m."""
+
+LINE_DETECTORS = _points(_BODY["lineDetectors"])
+"""Detectors of the line sensor in the robot frame, from the middle outwards, the left one of two first, m."""
 
 WHEEL_POINTS = _points(_BODY["wheelPoints"])
 """Where the left and right wheel touch the floor, m."""

@@ -18,15 +18,15 @@ import Data.Text (Text)
 
 -- | Commands of the robots.
 commandTypes :: [Text]
-commandTypes = ["Velocity", "Led1", "Led2", "ExternalPower", "MotorPower", "Sound", "Say"]
+commandTypes = ["Velocity", "Led1", "Led2", "ExternalPower", "MotorPower", "Sound", "Pen", "PenColor", "PenWidth", "Say"]
 
 -- | Commands that are not sensed, and the types of their parts.
 commandOnly :: [Text]
-commandOnly = ["LedColor", "Led1", "Led2", "PowerSource", "PowerStatus", "ExternalPower", "MotorPower", "Sound", "Say"]
+commandOnly = ["LedColor", "Led1", "Led2", "PowerSource", "PowerStatus", "ExternalPower", "MotorPower", "Sound", "Pen", "PenColor", "PenWidth", "Say"]
 
 -- | Events and states that are no commands.
 sensedOnly :: [Text]
-sensedOnly = ["Bumper", "BumperLeft", "BumperCenter", "BumperRight", "Cliff", "CliffLeft", "CliffCenter", "CliffRight", "Wheel", "WheelLeft", "WheelRight", "Button", "ButtonZero", "ButtonOne", "ButtonTwo", "RobotStatus", "DigitalInput", "Ahead", "Scan", "Position", "Orientation", "Pose", "TurnRate", "Battery", "Charger", "DockInfraRed", "AnalogInput"]
+sensedOnly = ["Bumper", "BumperLeft", "BumperCenter", "BumperRight", "Cliff", "CliffLeft", "CliffCenter", "CliffRight", "Wheel", "WheelLeft", "WheelRight", "Button", "ButtonZero", "ButtonOne", "ButtonTwo", "RobotStatus", "DigitalInput", "Ahead", "Scan", "Position", "Orientation", "Pose", "TurnRate", "Battery", "Charger", "DockInfraRed", "AnalogInput", "LineSensor"]
 
 -- | The event of one place, by the place: @BumperLeft@ by @LeftBumper@.
 typesOfPlaces :: [(Text, Text)]
@@ -34,4 +34,4 @@ typesOfPlaces = [("LeftBumper", "BumperLeft"), ("CenterBumper", "BumperCenter"),
 
 -- | The types of all other values of choices.
 typesOfValues :: [(Text, Text)]
-typesOfValues = [("Pressed", "ButtonStatus"), ("Released", "ButtonStatus"), ("Hole", "CliffStatus"), ("Floor", "CliffStatus"), ("Air", "WheelStatus"), ("Ground", "WheelStatus"), ("Online", "RobotStatus"), ("Offline", "RobotStatus"), ("Discharging", "Charger"), ("DockingCharged", "Charger"), ("DockingCharging", "Charger"), ("AdapterCharged", "Charger"), ("AdapterCharging", "Charger"), ("NoSignal", "DockSignal"), ("NearLeft", "DockSignal"), ("NearCenter", "DockSignal"), ("NearRight", "DockSignal"), ("FarCenter", "DockSignal"), ("FarLeft", "DockSignal"), ("FarRight", "DockSignal"), ("Black", "LedColor"), ("Green", "LedColor"), ("Orange", "LedColor"), ("Red", "LedColor"), ("Power3V1A", "PowerSource"), ("Power5V1A", "PowerSource"), ("Power12V5A", "PowerSource"), ("Power12V1A", "PowerSource"), ("PowerOn", "PowerStatus"), ("PowerOff", "PowerStatus"), ("MotorsOn", "MotorPower"), ("MotorsOff", "MotorPower"), ("OnSound", "Sound"), ("OffSound", "Sound"), ("RechargeSound", "Sound"), ("ButtonSound", "Sound"), ("ErrorSound", "Sound"), ("CleaningStartSound", "Sound"), ("CleaningEndSound", "Sound")]
+typesOfValues = [("Pressed", "ButtonStatus"), ("Released", "ButtonStatus"), ("Hole", "CliffStatus"), ("Floor", "CliffStatus"), ("Air", "WheelStatus"), ("Ground", "WheelStatus"), ("Online", "RobotStatus"), ("Offline", "RobotStatus"), ("Discharging", "Charger"), ("DockingCharged", "Charger"), ("DockingCharging", "Charger"), ("AdapterCharged", "Charger"), ("AdapterCharging", "Charger"), ("NoSignal", "DockSignal"), ("NearLeft", "DockSignal"), ("NearCenter", "DockSignal"), ("NearRight", "DockSignal"), ("FarCenter", "DockSignal"), ("FarLeft", "DockSignal"), ("FarRight", "DockSignal"), ("NoLine", "LineSensor"), ("LineLeft", "LineSensor"), ("LineAhead", "LineSensor"), ("LineRight", "LineSensor"), ("Black", "LedColor"), ("Green", "LedColor"), ("Orange", "LedColor"), ("Red", "LedColor"), ("Power3V1A", "PowerSource"), ("Power5V1A", "PowerSource"), ("Power12V5A", "PowerSource"), ("Power12V1A", "PowerSource"), ("PowerOn", "PowerStatus"), ("PowerOff", "PowerStatus"), ("MotorsOn", "MotorPower"), ("MotorsOff", "MotorPower"), ("OnSound", "Sound"), ("OffSound", "Sound"), ("RechargeSound", "Sound"), ("ButtonSound", "Sound"), ("ErrorSound", "Sound"), ("CleaningStartSound", "Sound"), ("CleaningEndSound", "Sound"), ("PenUp", "Pen"), ("PenDown", "Pen"), ("BlackInk", "PenColor"), ("RedInk", "PenColor"), ("OrangeInk", "PenColor"), ("YellowInk", "PenColor"), ("GreenInk", "PenColor"), ("BlueInk", "PenColor"), ("PurpleInk", "PenColor")]

@@ -92,7 +92,7 @@ eventsWithPlaces = [t | t <- sensedOnly, any (\(_, ofPlace) -> t `Text.isPrefixO
 
 -- | The ready-made tasks that are steps of a program, with the number of values that each takes.
 readyTasks :: [(Text, Int)]
-readyTasks = [("drive", 1), ("turn", 1), ("wait", 1), ("say", 1), ("blink", 1), ("beep", 0), ("driveUntilBump", 0)]
+readyTasks = [("drive", 1), ("turn", 1), ("wait", 1), ("say", 1), ("blink", 1), ("beep", 0), ("driveUntilBump", 0), ("penDown", 0), ("penUp", 0), ("penColor", 1), ("penWidth", 1)]
 
 -- | Highest speed, m\/s, and turn, rad\/s: the @limits@ of the simulated robot in @protocol/robots@, which a test compares. The worker is built without the
 -- library's table of robots.
