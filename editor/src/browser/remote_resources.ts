@@ -102,6 +102,7 @@ const roomOrder = [
   "pits",
   "table",
   "track",
+  "gap",
   "classroom",
   "slippery",
 ]

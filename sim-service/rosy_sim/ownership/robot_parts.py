@@ -7,13 +7,12 @@ simulated robot carries one, a bought one has none, and some have one added, whi
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 from urllib.parse import parse_qs
 
 from ..errors import BadInput
 from ..files import read_json
-from ..robot_description import description, known_robots
+from ..robot_description import description, known_robots, lacking
 from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 
@@ -26,9 +25,7 @@ def missing_parts(address: str, uses: list[str]) -> list[str]:
     if name not in known_robots():
         return []
     has_scanner = not address.startswith("serial:") and _option(address, "scanner") == "on"
-    has = {c["name"] for c in description(name)["channels"] if has_scanner or not c.get("onDemand", False)}
-    channels = _channels()
-    return [used for used in uses if used in channels and channels[used] not in has]
+    return lacking(name, uses, has_scanner)
 
 
 def missing_parts_problem(address: str, uses: list[str]) -> Problem | None:
@@ -70,15 +67,3 @@ def _option(address: str, name: str) -> str | None:
             # As rosy-robot reads a profile.
             return value if isinstance(value, str) else "on" if value else "off"
     return None
-
-
-@cache
-def _channels() -> dict[str, str]:
-    """The channel of each type that is one or a part of one, over all robots."""
-    found: dict[str, str] = {}
-    for robot in map(description, known_robots()):
-        found |= {channel["name"]: channel["name"] for channel in robot["channels"]}
-        found |= {
-            kind["name"]: kind["view"]["of"] for kind in robot["types"] if "view" in kind and kind["name"] not in found
-        }
-    return found

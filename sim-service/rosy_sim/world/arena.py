@@ -111,6 +111,8 @@ class Arena:
     battery: float = 1.0
     # Whether the robot carries a laser scanner.
     scanner: bool = True
+    # Name of the robot; None for the usual one.
+    robot: str | None = None
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -152,6 +154,7 @@ def read_arena(value: object) -> Arena:
         "dock",
         "battery",
         "scanner",
+        "robot",
     }
     for key in fields:
         if key not in known:
@@ -187,7 +190,12 @@ def read_arena(value: object) -> Arena:
     if not 0 <= battery <= 1:
         raise ArenaError("battery", tr("the battery must be between 0, empty, and 1, full."))
     scanner = flag(fields, "scanner", missing=True)
-    return Arena(name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner)
+    robot = fields.get("robot")
+    if robot is not None and not isinstance(robot, str):
+        raise ArenaError("robot", tr("the robot must be text."))
+    return Arena(
+        name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner, robot
+    )
 
 
 def _tiles(value: object) -> tuple[str, ...]:
