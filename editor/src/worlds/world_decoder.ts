@@ -3,6 +3,7 @@
 
 import {Mismatch} from "../wire/decode.ts"
 import {
+  aboutRobot,
   type Box,
   defaultLaps,
   defaultMass,
@@ -12,7 +13,10 @@ import {
   type Pose,
   type Realism,
   type Round,
+  type SimulatedRobot,
   type Spot,
+  simulatedRobots,
+  usualRobot,
   type Wall,
   type World,
   type WorldGoal,
@@ -73,6 +77,7 @@ const known = [
   "dock",
   "battery",
   "scanner",
+  "robot",
 ]
 
 function world(value: unknown): World {
@@ -105,7 +110,20 @@ function world(value: unknown): World {
   if (!(battery >= 0 && battery <= 1))
     throw new Wrong("battery", "the battery must be between 0, empty, and 1, full.")
   const scanner = flag(fields, "scanner", "", true)
-  return {name, title, size, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner}
+  const robot = readRobot(field(fields, "robot"))
+  return {
+    ...{name, title, size, start, tile, tiles, walls, boxes, rounds, goals},
+    ...{realism, dock, battery, scanner, robot},
+  }
+}
+
+function readRobot(value: unknown): SimulatedRobot {
+  if (value === undefined) return usualRobot
+  if (typeof value !== "string") throw new Wrong("robot", "the robot must be text.")
+  const found = simulatedRobots.find(name => name === value)
+  const names = simulatedRobots.map(name => `${name} (${aboutRobot(name).title})`).join(", ")
+  if (found === undefined) throw new Wrong("robot", `the simulator has no robot '${value}'; it has ${names}.`)
+  return found
 }
 
 function readTiles(value: unknown): readonly string[] {

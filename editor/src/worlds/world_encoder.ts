@@ -1,6 +1,14 @@
 /// Encoder of worlds as JSON without default values. `readWorld(writeWorld(world))` is the same world.
 
-import {defaultLaps, defaultMass, defaultTile, type World, type WorldFile, type WorldGoal} from "./world.ts"
+import {
+  defaultLaps,
+  defaultMass,
+  defaultTile,
+  usualRobot,
+  type World,
+  type WorldFile,
+  type WorldGoal,
+} from "./world.ts"
 
 export function writeWorld(world: World): WorldFile {
   const {
@@ -18,6 +26,7 @@ export function writeWorld(world: World): WorldFile {
     dock,
     battery,
     scanner,
+    robot,
   } = world
   return {
     name,
@@ -40,6 +49,7 @@ export function writeWorld(world: World): WorldFile {
     ...(dock === null ? {} : {dock: {x: dock.x, y: dock.y, theta: dock.theta}}),
     ...(battery === 1 ? {} : {battery}),
     ...(scanner ? {} : {scanner}),
+    ...(robot === usualRobot ? {} : {robot}),
   }
 }
 
