@@ -43,6 +43,7 @@ def typescript_files(all_robots: list[Json]) -> dict[Path, str]:
         "toolbox": [{"type": t["name"], "kind": families[t["name"]][1], **t["toolbox"]} for t in types if "toolbox" in t],
         "sensorTopics": _sensor_topics(all_robots[0]),
         "channelValues": {of: _channel_values(vocabulary, all_robots[0], of) for of in ("event", "command")},
+        "usual": all_robots[0]["name"],
         "simulated": {r["name"]: _simulated(vocabulary, r, all_robots) for r in all_robots if "body" in r},
         "charts": [
             {"key": c["key"], "channel": c["channel"], "place": c["place"], "unit": c.get("unit", ""), "family": c["color"]}

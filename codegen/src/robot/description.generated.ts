@@ -934,6 +934,7 @@ export const robot = {
       ]
     }
   },
+  "usual": "kobuki",
   "simulated": {
     "kobuki": {
       "title": "Kobuki",

@@ -132,7 +132,7 @@ export const isLarge = ({size}: World): boolean => Math.max(...size) > longestSe
 export type SimulatedRobot = keyof typeof robot.simulated
 export const simulatedRobots = Object.keys(robot.simulated) as readonly SimulatedRobot[]
 /// That of a room which names none.
-export const usualRobot: SimulatedRobot = "kobuki"
+export const usualRobot: SimulatedRobot = robot.usual
 
 /// What a robot of the simulator is called, its numbers, and the names that stand for what it lacks.
 export const aboutRobot = (name: SimulatedRobot): (typeof robot.simulated)[SimulatedRobot] =>

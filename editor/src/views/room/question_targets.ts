@@ -23,7 +23,7 @@ export const pointerReach = 8
 export const fingerReach = 22
 
 /// m.
-const {leds} = robotTable.simulated.kobuki.body
+const {leds} = robotTable.simulated[robotTable.usual].body
 /// From the middle of an LED, m. It is drawn with half of this; the LEDs are 52 mm apart.
 const ledReach = 0.04
 
@@ -37,7 +37,7 @@ export function targetAt(
 ): QuestionTarget | null {
   const away = ({x, y}: Spot) => Math.hypot(x - at.x, y - at.y)
   if (robot !== null && away(robot) < Math.max(aboutRobot(kind).body.radius, reach)) {
-    // From far away an LED is no target: it is smaller than what a pointer can mean. Only Kobuki has them.
+    // From far away an LED is no target: it is smaller than what a pointer can mean. Only the usual robot has them.
     if (kind !== usualRobot || ledReach < reach / 2) return {kind: "robot"}
     const distances = leds.map(led => away(inRoom(robot, led)))
     const led = distances.indexOf(Math.min(...distances))

@@ -5,11 +5,11 @@
 import {robot} from "@rosy/codegen/robot"
 import {isOn, numberAt, type Sensed} from "../../state/runs/channels.ts"
 import {aboutRobot, type SimulatedRobot, usualRobot} from "../../worlds/world.ts"
-import {drawBurger} from "./robots/burger_drawing.ts"
 import type {Palette} from "./palette.ts"
+import {drawBurger} from "./robots/burger_drawing.ts"
 
-/// Numbers of Kobuki's description; metres in the base's frame.
-const {body} = robot.simulated.kobuki
+/// Numbers of the description of the usual robot; metres in the base's frame.
+const {body} = robot.simulated[robot.usual]
 const {radius, wheelRadius, wheelWidth, buttons, leds} = body
 const wheelOffset = body.wheelbase / 2
 /// Bumper zones in degrees, as [place, from, to]; a small gap lies between them.
@@ -21,8 +21,8 @@ const cliffSensors = body.cliffPoints.map(([x, y], place) => [place, x, y] as co
 /// Letters for the LEDs' colours; black has none.
 const ledLetters = ["", "G", "O", "R"]
 
-/// Of Kobuki, m.
-export const kobukiRadius = radius
+/// Of the usual robot, m.
+export const usualRadius = radius
 
 export function drawRobot(
   ctx: CanvasRenderingContext2D,
@@ -31,7 +31,10 @@ export function drawRobot(
   scale: number,
   robot: SimulatedRobot = usualRobot,
 ): void {
-  if (robot === "turtlebot3") return drawBurger(ctx, frame, palette)
+  if (robot === "turtlebot3") {
+    drawBurger(ctx, frame, palette)
+    return
+  }
   const lights = ledPlaces(scale).map(
     ([x, y], i) => ({x, y, value: numberAt(frame, i === 0 ? "Led1" : "Led2")}) as const,
   )

@@ -4,7 +4,7 @@ import {type Pose, placesOf, type World, wallThickness} from "../../worlds/world
 import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
-import {drawRobot, kobukiRadius} from "./robot_drawing.ts"
+import {drawRobot, usualRadius} from "./robot_drawing.ts"
 
 export function drawWorld(
   ctx: CanvasRenderingContext2D,
@@ -102,14 +102,14 @@ function drawDock(ctx: CanvasRenderingContext2D, dock: Pose, palette: Palette, s
   ctx.strokeStyle = palette.wall
   ctx.fillStyle = palette.solid
   ctx.beginPath()
-  ctx.roundRect(kobukiRadius, -0.12, 0.08, 0.24, 0.02)
+  ctx.roundRect(usualRadius, -0.12, 0.08, 0.24, 0.02)
   ctx.fill()
   ctx.beginPath()
   for (const y of [-0.04, 0.04]) {
-    ctx.moveTo(kobukiRadius, y)
-    ctx.lineTo(kobukiRadius - 0.05, y)
+    ctx.moveTo(usualRadius, y)
+    ctx.lineTo(usualRadius - 0.05, y)
   }
-  ctx.arc(0, 0, kobukiRadius, -0.5, 0.5)
+  ctx.arc(0, 0, usualRadius, -0.5, 0.5)
   ctx.stroke()
   ctx.restore()
 }
@@ -289,7 +289,7 @@ export function drawThumbnail(
   for (const [x, y] of bumps) drawMark(ctx, x, y, "cross", palette, camera.scale)
   ctx.translate(world.start.x, world.start.y)
   ctx.rotate(world.start.theta)
-  const larger = Math.max(1, leastRobot / (kobukiRadius * camera.scale))
+  const larger = Math.max(1, leastRobot / (usualRadius * camera.scale))
   ctx.scale(larger, larger)
   drawRobot(ctx, parked, palette, camera.scale * larger, world.robot)
 }
