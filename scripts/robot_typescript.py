@@ -1,8 +1,8 @@
 """
 Generator of the TypeScript tables of the robots: labels of types on blocks, and the values of channels that can be charted.
 
-In: robot descriptions. Out: the text of `codegen/src/robot/description.generated.ts` (colours, menus, units, examples for the toolbox, charts, body
-and values of the channels of the simulated robot) and of `codegen/src/words/<language>/robot.generated.ts` (the labels in each language), by path.
+In: robot descriptions. Out: the text of `codegen/src/robot/description.generated.ts` (colours, menus, units, examples for the toolbox, charts, values
+of channels, and title, body and missing parts of each robot of the simulator) and of `codegen/src/words/<language>/robot.generated.ts` (the labels in each language), by path.
 """
 
 from __future__ import annotations
@@ -43,7 +43,8 @@ def typescript_files(all_robots: list[Json]) -> dict[Path, str]:
         "toolbox": [{"type": t["name"], "kind": families[t["name"]][1], **t["toolbox"]} for t in types if "toolbox" in t],
         "sensorTopics": _sensor_topics(all_robots[0]),
         "channelValues": {of: _channel_values(vocabulary, all_robots[0], of) for of in ("event", "command")},
-        "body": {name: entry["value"] for name, entry in all_robots[0]["body"].items()},
+        "usual": all_robots[0]["name"],
+        "simulated": {r["name"]: _simulated(vocabulary, r, all_robots) for r in all_robots if "body" in r},
         "charts": [
             {"key": c["key"], "channel": c["channel"], "place": c["place"], "unit": c.get("unit", ""), "family": c["color"]}
             for robot in all_robots
@@ -101,6 +102,30 @@ def _sensor_topics(robot: Json) -> list[str]:
     names = robot["profiles"][robot["simulated"]]
     found = {c["ros"]["topic"] for c in robot["channels"] if c["kind"] != "command" and "ros" in c}
     return sorted(topic.format_map({key: str(value).format_map(names) for key, value in names.items()}) for topic in found)
+
+
+def _simulated(vocabulary: Vocabulary, robot: Json, all_robots: list[Json]) -> Json:
+    """A robot of the simulator: its title, its body, and the names that only stand for what it lacks."""
+    own = {c["name"] for c in robot["channels"]}
+    every = {c["name"] for r in all_robots if "body" in r for c in r["channels"]}
+    return {
+        "title": robot["title"],
+        "body": {name: entry["value"] for name, entry in robot["body"].items()},
+        "lacks": sorted(_names(vocabulary, every) - _names(vocabulary, own)),
+    }
+
+
+def _names(vocabulary: Vocabulary, channels: set[str]) -> set[str]:
+    """The types of channels with their views and parts, and the constructors of their choices."""
+    types = vocabulary.types
+    found: set[str] = set()
+    wanted = [*channels, *(name for name, entry in types.items() if entry.get("view", {}).get("of") in channels)]
+    while wanted:
+        name = wanted.pop()
+        if name in types and name not in found:
+            found |= {name, *types[name].get("values", {})}
+            wanted += [part["type"] for part in types[name].get("fields", [])] + [types[name].get("alias", name)]
+    return found
 
 
 def _channel_values(vocabulary: Vocabulary, robot: Json, of: str) -> Json:

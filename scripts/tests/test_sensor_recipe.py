@@ -137,13 +137,13 @@ main = do
 RUN = """
 import sys
 from pathlib import Path
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_native
 from rosy_sim.config import Limits
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.world import World
 
-world = World(read_arena({"size": [9, 9], "start": {"x": 2, "y": 4}}), DEFAULT_ROBOT)
+world = World(read_arena({"size": [9, 9], "start": {"x": 2, "y": 4}}), KOBUKI)
 result = run_native(Path(sys.argv[1]), world, RunSettings(1.0, 1, limits=Limits(settle=300, ready=300)), RunOutput(say=print))
 print(result.ended, [problem.message for problem in result.problems])
 """

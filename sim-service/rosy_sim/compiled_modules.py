@@ -52,7 +52,7 @@ _MODULES = (
 """Without the name of the package. A module whose classes a library looks into (msgspec) or a test replaces cannot be
 compiled."""
 
-_NOT_OF_A_ROBOT = ("__init__", "connector", "facts")
+_NOT_OF_A_ROBOT = ("__init__", "connector", "dimensions", "facts")
 """Modules of a robot that read files or say what it is made of. The others compute what its parts do in each step."""
 
 _PACKAGE = Path(__file__).parent

@@ -8,11 +8,12 @@ from __future__ import annotations
 
 import json
 import os
+from collections.abc import Callable, Iterable
 from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-__all__ = ["ROBOTS", "TypeRoles", "description", "known_robots", "simulated", "type_roles"]
+__all__ = ["ROBOTS", "TypeRoles", "description", "known_robots", "lacking", "simulated", "type_roles"]
 
 ROBOTS = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]) / "protocol" / "robots"
 """Where the robot descriptions are."""
@@ -55,11 +56,37 @@ def description(name: str) -> dict[str, Any]:
 
 @cache
 def known_robots() -> list[str]:
-    """The names of the registry; the first is the robot that the simulator has."""
+    """The names of the registry; the first is that of a room that names no robot."""
     found: list[str] = json.loads((ROBOTS / "robots.json").read_text())
     return found
 
 
+def lacking(name: str, uses: Iterable[str], has: Callable[[str], bool]) -> list[str]:
+    """
+    Those of a program's types whose channel a robot lacks, in their order.
+
+    Args:
+        name: of the robot.
+        uses: types; one that no robot senses or obeys is left out.
+        has: whether a part is there that the description calls an ``option``.
+    """
+    own = {c["name"] for c in description(name)["channels"] if "option" not in c or has(c["option"])}
+    channels = _channels_of_types()
+    return [used for used in uses if used in channels and channels[used] not in own]
+
+
+@cache
+def _channels_of_types() -> dict[str, str]:
+    """The channel of each type that is one or a part of one, over all robots."""
+    found: dict[str, str] = {}
+    for robot in map(description, known_robots()):
+        found |= {channel["name"]: channel["name"] for channel in robot["channels"]}
+        found |= {
+            kind["name"]: kind["view"]["of"] for kind in robot["types"] if "view" in kind and kind["name"] not in found
+        }
+    return found
+
+
 def simulated() -> dict[str, Any]:
-    """The description of the robot that the simulator has."""
+    """The description whose messages the robot link uses, for every robot."""
     return description(known_robots()[0])

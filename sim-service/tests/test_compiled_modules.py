@@ -22,7 +22,7 @@ _is_compiled = (COMPILED / SOURCES).exists() and (COMPILED / SOURCES).read_text(
 _RUNS = """
 import hashlib, io, json, math, random, socket, sys, threading
 from pathlib import Path
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_over_link
 from rosy_sim.run.steps import lockstep
 from rosy_sim.run.steps.hands import read_hands
@@ -44,7 +44,7 @@ for name in world_names():
         for script in (
             "drive:0.5 turn:0.7 led:2@3 say:hi@5", "tour bump", "fight drive:0.3 error@200", "turn:2.0 drip garble@30"
         ):
-            world = World(read_arena(room), DEFAULT_ROBOT, seed)
+            world = World(read_arena(room), KOBUKI, seed)
             ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
             program = threading.Thread(target=play, args=(theirs, script))
             program.start()

@@ -1071,106 +1071,236 @@ export const robot = {
       ]
     }
   },
-  "body": {
-    "step": 0.02,
-    "radius": 0.17575,
-    "mass": 2.4,
-    "inertia": 0.03675,
-    "wheelbase": 0.23,
-    "acceleration": 2.0,
-    "angularAcceleration": 7.0,
-    "commandTimeout": 0.6,
-    "bumperBearings": [
-      60,
-      0,
-      -60
-    ],
-    "bumperHalfWidth": 30,
-    "lineDetectors": [
-      [
-        0.156,
-        0.0
-      ],
-      [
-        0.156,
-        0.03
-      ],
-      [
-        0.156,
-        -0.03
-      ],
-      [
-        0.156,
-        0.06
-      ],
-      [
-        0.156,
-        -0.06
-      ],
-      [
-        0.156,
-        0.09
-      ],
-      [
-        0.156,
-        -0.09
+  "usual": "kobuki",
+  "simulated": {
+    "kobuki": {
+      "title": "Kobuki",
+      "body": {
+        "step": 0.02,
+        "radius": 0.17575,
+        "mass": 2.4,
+        "inertia": 0.03675,
+        "wheelbase": 0.23,
+        "acceleration": 2.0,
+        "angularAcceleration": 7.0,
+        "commandTimeout": 0.6,
+        "bumperBearings": [
+          60,
+          0,
+          -60
+        ],
+        "bumperHalfWidth": 30,
+        "lineDetectors": [
+          [
+            0.156,
+            0.0
+          ],
+          [
+            0.156,
+            0.03
+          ],
+          [
+            0.156,
+            -0.03
+          ],
+          [
+            0.156,
+            0.06
+          ],
+          [
+            0.156,
+            -0.06
+          ],
+          [
+            0.156,
+            0.09
+          ],
+          [
+            0.156,
+            -0.09
+          ]
+        ],
+        "cliffPoints": [
+          [
+            0.08734,
+            0.13601
+          ],
+          [
+            0.156,
+            0.0
+          ],
+          [
+            0.085,
+            -0.13601
+          ]
+        ],
+        "wheelPoints": [
+          [
+            0.0,
+            0.115
+          ],
+          [
+            0.0,
+            -0.115
+          ]
+        ],
+        "scannerBeams": 360,
+        "scannerNearest": 0.12,
+        "scannerFarthest": 3.5,
+        "scannerPeriod": 0.2,
+        "aheadHalfWidth": 10,
+        "wheelRadius": 0.035,
+        "wheelWidth": 0.021,
+        "buttons": [
+          [
+            -0.126,
+            -0.018
+          ],
+          [
+            -0.117,
+            -0.056
+          ],
+          [
+            -0.096,
+            -0.089
+          ]
+        ],
+        "leds": [
+          [
+            -0.098,
+            0.082
+          ],
+          [
+            -0.118,
+            0.034
+          ]
+        ]
+      },
+      "lacks": []
+    },
+    "turtlebot3": {
+      "title": "TurtleBot 3",
+      "body": {
+        "radius": 0.105,
+        "mass": 1.0,
+        "inertia": 0.0045,
+        "wheelbase": 0.16,
+        "wheelRadius": 0.033,
+        "wheelWidth": 0.018,
+        "turn": 2.84,
+        "wheel": 0.2667,
+        "acceleration": 2.5,
+        "angularAcceleration": 3.2,
+        "commandTimeout": 0.5,
+        "deck": [
+          -0.102,
+          -0.07,
+          0.14,
+          0.14
+        ],
+        "scannerForwards": -0.032,
+        "scannerRadius": 0.055,
+        "scannerBeams": 360,
+        "scannerNearest": 0.12,
+        "scannerFarthest": 3.5,
+        "scannerPeriod": 0.2,
+        "aheadHalfWidth": 10,
+        "buttons": [
+          [
+            -0.085,
+            0.03
+          ],
+          [
+            -0.085,
+            -0.03
+          ]
+        ]
+      },
+      "lacks": [
+        "AdapterCharged",
+        "AdapterCharging",
+        "Air",
+        "AnalogInput",
+        "Black",
+        "BlackInk",
+        "BlueInk",
+        "Bumper",
+        "BumperCenter",
+        "BumperLeft",
+        "BumperRight",
+        "BumperSide",
+        "BumperStatus",
+        "CenterBumper",
+        "CenterCliff",
+        "Charger",
+        "Cliff",
+        "CliffCenter",
+        "CliffLeft",
+        "CliffRight",
+        "CliffSide",
+        "CliffStatus",
+        "DigitalInput",
+        "Discharging",
+        "DockInfraRed",
+        "DockSignal",
+        "DockingCharged",
+        "DockingCharging",
+        "ExternalPower",
+        "FarCenter",
+        "FarLeft",
+        "FarRight",
+        "Floor",
+        "Green",
+        "GreenInk",
+        "Ground",
+        "Hole",
+        "Led1",
+        "Led2",
+        "LedColor",
+        "LeftBumper",
+        "LeftCliff",
+        "LeftWheel",
+        "LineAhead",
+        "LineLeft",
+        "LineRight",
+        "LineSensor",
+        "NearCenter",
+        "NearLeft",
+        "NearRight",
+        "NoLine",
+        "NoSignal",
+        "Offline",
+        "Online",
+        "Orange",
+        "OrangeInk",
+        "Pen",
+        "PenColor",
+        "PenDown",
+        "PenUp",
+        "PenWidth",
+        "Power12V1A",
+        "Power12V5A",
+        "Power3V1A",
+        "Power5V1A",
+        "PowerOff",
+        "PowerOn",
+        "PowerSource",
+        "PowerStatus",
+        "PurpleInk",
+        "Red",
+        "RedInk",
+        "RightBumper",
+        "RightCliff",
+        "RightWheel",
+        "RobotStatus",
+        "Wheel",
+        "WheelLeft",
+        "WheelRight",
+        "WheelSide",
+        "WheelStatus",
+        "YellowInk"
       ]
-    ],
-    "cliffPoints": [
-      [
-        0.08734,
-        0.13601
-      ],
-      [
-        0.156,
-        0.0
-      ],
-      [
-        0.085,
-        -0.13601
-      ]
-    ],
-    "wheelPoints": [
-      [
-        0.0,
-        0.115
-      ],
-      [
-        0.0,
-        -0.115
-      ]
-    ],
-    "scannerBeams": 360,
-    "scannerNearest": 0.12,
-    "scannerFarthest": 3.5,
-    "scannerPeriod": 0.2,
-    "aheadHalfWidth": 10,
-    "wheelRadius": 0.035,
-    "wheelWidth": 0.021,
-    "buttons": [
-      [
-        -0.126,
-        -0.018
-      ],
-      [
-        -0.117,
-        -0.056
-      ],
-      [
-        -0.096,
-        -0.089
-      ]
-    ],
-    "leds": [
-      [
-        -0.098,
-        0.082
-      ],
-      [
-        -0.118,
-        0.034
-      ]
-    ]
+    }
   },
   "charts": [
     {

@@ -104,6 +104,7 @@ const roomOrder = [
   "track",
   "oval",
   "crossing",
+  "gap",
   "classroom",
   "slippery",
 ]

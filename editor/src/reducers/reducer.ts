@@ -67,6 +67,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "stored":
       return reduceDocumentEvent(state, event)
     case "world-chosen":
+    case "world-taken":
     case "test-room-opened":
     case "own-room-restored":
     case "world-editor-opened":

@@ -23,6 +23,11 @@ export function reduceWorldEvent(state: PageState, event: WorldEvent): Transitio
   switch (event.kind) {
     case "world-chosen":
       return chooseWorld(state, event.world)
+    case "world-taken": {
+      const wrong = startFault(event.world)
+      if (wrong === null) return takeWorld({...state, notice: null}, event.world)
+      return still({...state, notice: {kind: "unreadable-world", name: event.world.name, ...wrong}})
+    }
     case "test-room-opened": {
       // A second room of a test does not replace the learner's own.
       const {replacedRoom: before, worldName} = state

@@ -136,6 +136,8 @@ export type DocumentEvent =
 /// The room, its editor, and its files.
 export type WorldEvent =
   | {readonly kind: "world-chosen"; readonly world: string}
+  /// A room with another robot than its own.
+  | {readonly kind: "world-taken"; readonly world: World}
   /// A room of a test takes the place of the learner's own, and the learner's own comes back.
   | {readonly kind: "test-room-opened"; readonly world: World}
   | {readonly kind: "own-room-restored"}

@@ -1,7 +1,7 @@
 /// Real robots offered by the service, and the robot that this page controls. Pure.
 
 import type {RobotName, RobotState} from "../wire/page/robots.generated.ts"
-import type {World} from "../worlds/world.ts"
+import {usualRobot, type World} from "../worlds/world.ts"
 
 /// The robot that this page controls (protocol §4, `robot`).
 export type OwnedRobot = Omit<RobotState, "op" | "sentence" | "link"> & {
@@ -63,6 +63,7 @@ function openFloor(name: string): World {
     dock: null,
     battery: 1,
     scanner: false,
+    robot: usualRobot,
     open: true,
     size: [floor, floor],
     start: {x: 0, y: 0, theta: 0},

@@ -8,7 +8,7 @@ import {type Part, partsOf} from "./world_parts.ts"
 function distanceToPart(world: World, part: Part, at: Spot): number | null {
   switch (part.kind) {
     case "start":
-      return Math.max(0, distance([world.start.x, world.start.y], at) - robotRadius)
+      return Math.max(0, distance([world.start.x, world.start.y], at) - robotRadius(world))
     case "wall": {
       const wall = world.walls[part.index]
       if (wall === undefined) return null

@@ -7,16 +7,16 @@ import {robotRadius, type Spot, tileAt, type World, wallThickness, wheelOffset} 
 export type StartFault = "outside" | "wall" | "hole"
 
 /// As `World._check_start` in the service says it, to the author of the file.
-const sentences: Readonly<Record<StartFault, string>> = {
+const sentence = (world: World): Readonly<Record<StartFault, string>> => ({
   outside: "the robot would start outside the room.",
-  wall: "the robot would start inside a wall; it needs 0.35 metres of free floor.",
+  wall: `the robot would start inside a wall; it needs ${Number((2 * robotRadius(world)).toFixed(2))} metres of free floor.`,
   hole: "the robot would start over a hole; it needs floor under it.",
-}
+})
 
 /// Where the robot cannot start, and why; `null` when it can.
 export function startFault(world: World): {readonly path: "start"; readonly why: string} | null {
   const trouble = startFaultKind(world)
-  return trouble === null ? null : {path: "start", why: sentences[trouble]}
+  return trouble === null ? null : {path: "start", why: sentence(world)[trouble]}
 }
 
 export function startFaultKind(world: World): StartFault | null {
@@ -27,7 +27,8 @@ export function startFaultKind(world: World): StartFault | null {
   if (tile === "#" || clearance(world, [x, y]) < -0.001) return "wall"
   const wheel = (side: number) =>
     world.tiles.length > 0 && tileAt(world, x - side * Math.sin(theta), y + side * Math.cos(theta)) === "O"
-  if (tile === "O" || wheel(wheelOffset) || wheel(-wheelOffset)) return "hole"
+  const offset = wheelOffset(world)
+  if (tile === "O" || wheel(offset) || wheel(-offset)) return "hole"
   return null
 }
 
@@ -50,7 +51,7 @@ function clearance(world: World, at: Spot): number {
       if (tile === "#") gap = Math.min(gap, outside(at[0] - x, at[1] - y, world.tile, world.tile))
     })
   })
-  return gap - robotRadius
+  return gap - robotRadius(world)
 }
 
 /// How far a point is outside a rectangle around the origin, m; less than 0 inside.

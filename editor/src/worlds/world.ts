@@ -93,6 +93,7 @@ export interface World {
   readonly battery: number
   /// Whether the robot carries a laser scanner.
   readonly scanner: boolean
+  readonly robot: SimulatedRobot
   /// Floor without walls around (0, 0), below a real robot whose room is unknown. Never in a file.
   readonly open?: true
 }
@@ -136,10 +137,20 @@ export const limits = {
 const longestSeenWhole = 12
 export const isLarge = ({size}: World): boolean => Math.max(...size) > longestSeenWhole
 
-/// The robot's radius, m.
-export const robotRadius = robot.body.radius
+/// A robot of the simulator, by its name in `protocol/robots`.
+export type SimulatedRobot = keyof typeof robot.simulated
+export const simulatedRobots = Object.keys(robot.simulated) as readonly SimulatedRobot[]
+/// That of a room which names none.
+export const usualRobot: SimulatedRobot = robot.usual
+
+/// What a robot of the simulator is called, its numbers, and the names that stand for what it lacks.
+export const aboutRobot = (name: SimulatedRobot): (typeof robot.simulated)[SimulatedRobot] =>
+  robot.simulated[name]
+
+/// The radius of the robot of a room, m.
+export const robotRadius = (world: World): number => aboutRobot(world.robot).body.radius
 /// Half of the distance between its wheels, m.
-export const wheelOffset = robot.body.wheelbase / 2
+export const wheelOffset = (world: World): number => aboutRobot(world.robot).body.wheelbase / 2
 
 /// The places of a goal: where it is drawn. Several points with `r` 0 are a line.
 export function placesOf(goal: WorldGoal): {readonly points: readonly Spot[]; readonly r: number} {

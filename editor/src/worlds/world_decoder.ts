@@ -3,6 +3,7 @@
 
 import {Mismatch} from "../wire/decode.ts"
 import {
+  aboutRobot,
   type Box,
   defaultLaps,
   defaultLineWidth,
@@ -14,7 +15,10 @@ import {
   type Pose,
   type Realism,
   type Round,
+  type SimulatedRobot,
   type Spot,
+  simulatedRobots,
+  usualRobot,
   type Wall,
   type World,
   type WorldGoal,
@@ -76,6 +80,7 @@ const known = [
   "battery",
   "scanner",
   "lines",
+  "robot",
 ]
 
 function world(value: unknown): World {
@@ -108,8 +113,20 @@ function world(value: unknown): World {
   if (!(battery >= 0 && battery <= 1))
     throw new Wrong("battery", "the battery must be between 0, empty, and 1, full.")
   const scanner = flag(fields, "scanner", "", true)
-  const things = {walls, boxes, rounds, lines: readLines(fields)}
-  return {name, title, size, start, tile, tiles, ...things, goals, realism, dock, battery, scanner}
+  const robot = readRobot(field(fields, "robot"))
+  return {
+    ...{name, title, size, start, tile, tiles, walls, boxes, rounds, lines: readLines(fields), goals},
+    ...{realism, dock, battery, scanner, robot},
+  }
+}
+
+function readRobot(value: unknown): SimulatedRobot {
+  if (value === undefined) return usualRobot
+  if (typeof value !== "string") throw new Wrong("robot", "the robot must be text.")
+  const found = simulatedRobots.find(name => name === value)
+  const names = simulatedRobots.map(name => `${name} (${aboutRobot(name).title})`).join(", ")
+  if (found === undefined) throw new Wrong("robot", `the simulator has no robot '${value}'; it has ${names}.`)
+  return found
 }
 
 function readTiles(value: unknown): readonly string[] {

@@ -5,6 +5,7 @@ import {
   defaultLineWidth,
   defaultMass,
   defaultTile,
+  usualRobot,
   type World,
   type WorldFile,
   type WorldGoal,
@@ -27,6 +28,7 @@ export function writeWorld(world: World): WorldFile {
     dock,
     battery,
     scanner,
+    robot,
   } = world
   return {
     name,
@@ -53,6 +55,7 @@ export function writeWorld(world: World): WorldFile {
     ...(dock === null ? {} : {dock: {x: dock.x, y: dock.y, theta: dock.theta}}),
     ...(battery === 1 ? {} : {battery}),
     ...(scanner ? {} : {scanner}),
+    ...(robot === usualRobot ? {} : {robot}),
   }
 }
 

@@ -1,7 +1,7 @@
 /// What the laser scanner has measured, as points of the room's drawing.
 
 import {expect, test} from "vitest"
-import {ledPlaces, ledSize, robotRadius, scanPoints} from "../../src/views/room/robot_drawing.ts"
+import {ledPlaces, ledSize, scanPoints, usualRadius} from "../../src/views/room/robot_drawing.ts"
 
 const scan = (...distances: number[]) => ({channels: {Scan: [0, Math.PI / 2, 0.12, 3.5, ...distances]}})
 
@@ -27,7 +27,7 @@ test.each([125, 50, 1000])("the LEDs lie beside each other on the robot, at %d p
   const [first, second] = ledPlaces(scale)
   const size = ledSize(scale)
   expect(Math.hypot(first![0] - second![0], first![1] - second![1])).toBeGreaterThanOrEqual(2 * size)
-  for (const [x, y] of ledPlaces(scale)) expect(Math.hypot(x, y) + size).toBeLessThan(robotRadius)
+  for (const [x, y] of ledPlaces(scale)) expect(Math.hypot(x, y) + size).toBeLessThan(usualRadius)
 })
 
 test("an LED is large enough to be seen in a whole room", () => {

@@ -26,6 +26,7 @@ const world: World = {
   dock: null,
   battery: 1,
   scanner: false,
+  robot: "kobuki",
 }
 
 /// A run of `seconds`, 50 frames a second, in which the robot drives an arc and is pressed once for a single frame.

@@ -54,6 +54,7 @@ const world: World = {
   dock: null,
   battery: 1,
   scanner: false,
+  robot: "kobuki",
   tiles: [],
   walls: [],
   boxes: [],

@@ -32,6 +32,25 @@ function after(state: PageState, ...events: readonly PageEvent[]) {
 const withWall: World = {...emptyRoom, name: "room", walls: [{from: [3, 1], to: [3, 3]}]}
 const drawWall: PageEvent = {kind: "world-edited", edit: {kind: "change", world: withWall}}
 
+describe("the robot of the room", () => {
+  it("changes with the room as it is, and is sent and saved with the program", () => {
+    const world: World = {...emptyRoom, name: "room", robot: "turtlebot3"}
+    const {state, sent} = after(open, {kind: "world-taken", world})
+    expect(state.room.world?.robot).toBe("turtlebot3")
+    expect(state.worldName).toMatchObject({name: "room", robot: "turtlebot3"})
+    expect(sent).toEqual([{op: "world", world: state.worldName}])
+  })
+
+  it("stays when it has no place at the start, and the notice says why", () => {
+    const narrow = {...emptyRoom, start: {x: 0.15, y: 2, theta: 0}}
+    const before: PageState = {...open, room: {...open.room, world: {...narrow, robot: "turtlebot3"}}}
+    const {state, sent} = after(before, {kind: "world-taken", world: {...narrow, robot: "kobuki"}})
+    expect(state.room.world?.robot).toBe("turtlebot3")
+    expect(state.notice).toMatchObject({why: expect.stringContaining("it needs 0.35 metres")})
+    expect(sent).toEqual([])
+  })
+})
+
 describe("the world editor on the page", () => {
   it("gives the changed room to the lesson that is being written", () => {
     const draft = newDraft("lesson-1", "en", {size: [4, 3]}, "main = simulate ()\n")

@@ -45,6 +45,15 @@ describe("a world from a file", () => {
     )
   })
 
+  it("refuses a robot that the simulator does not have, and names those that it has", () => {
+    const room = {size: [4, 4], start: {x: 2, y: 2}, robot: "turtle"}
+    expect(faultOf(room)).toMatchObject({
+      path: "robot",
+      why: "the simulator has no robot 'turtle'; it has kobuki (Kobuki), turtlebot3 (TurtleBot 3).",
+    })
+    expect(faultOf({...room, robot: 3})).toMatchObject({path: "robot", why: "the robot must be text."})
+  })
+
   const gallery = new URL("../../../sim-service/rosy_sim/worlds/", import.meta.url)
   it.each(readdirSync(gallery).filter(name => name.endsWith(".json")))(
     "%s of the gallery can be opened",

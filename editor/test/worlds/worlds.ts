@@ -1,7 +1,7 @@
 /// Worlds for the tests: a small empty one, and any that the schema allows.
 
 import fc from "fast-check"
-import type {Spot, World, WorldGoal} from "../../src/worlds/world.ts"
+import {type Spot, simulatedRobots, type World, type WorldGoal} from "../../src/worlds/world.ts"
 
 export const emptyRoom: World = {
   name: "test",
@@ -19,6 +19,7 @@ export const emptyRoom: World = {
   dock: null,
   battery: 1,
   scanner: true,
+  robot: "kobuki",
 }
 
 /// Without the negative zero, which JSON does not know.
@@ -88,6 +89,7 @@ export const anyWorld: fc.Arbitrary<World> = fc.record({
   }),
   rounds: fc.array(fc.record({x: place, y: place, r: length, ...weight}), {maxLength: 4}),
   goals: fc.array(goal, {maxLength: 4}),
+  robot: fc.constantFrom(...simulatedRobots),
   realism: fc.option(
     fc.record({
       slip: between(0, 0.5),

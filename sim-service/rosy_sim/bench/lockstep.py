@@ -14,12 +14,10 @@ import time
 from typing import NamedTuple
 
 from ..config import Config
-from ..robots import DEFAULT_ROBOT
 from ..run.headless_run import RunOutput, RunSettings, run_program
 from ..run.steps.lockstep import Lockstep
 from ..worker.blocking_worker import BlockingWorker
-from ..world.world import World
-from ..worlds.gallery import named_world, usable_arena
+from ..worlds.gallery import named_world, usable_world
 from . import round_trip
 from .programs import BACK_OFF, EACH_STEP, MOVE, PATROL
 
@@ -75,7 +73,7 @@ def _run(config: Config, row: _Row) -> tuple[float, float, float]:
     with BlockingWorker(config) as worker:
         worker.ready()
         settings = RunSettings(_SECONDS, 1, limits=config.limits, busy_waits=True)
-        world = World(usable_arena(named_world(row.world), row.world), DEFAULT_ROBOT)
+        world = usable_world(named_world(row.world), row.world)
         began = time.process_time()
         outcome = run_program(worker, row.source, world, settings, RunOutput(observe=observe))
     if outcome.problems or not outcome.steps:

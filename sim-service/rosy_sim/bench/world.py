@@ -5,7 +5,7 @@ from __future__ import annotations
 import statistics
 import time
 
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.steps.lockstep import Lockstep
 from ..world.arena import Arena, read_arena
 from ..world.events import velocity
@@ -42,7 +42,7 @@ def _row(name: str, rates: list[float]) -> None:
 
 
 def _world(arena: Arena) -> float:
-    world = World(arena, DEFAULT_ROBOT)
+    world = World(arena, robot_in(arena))
     began = time.perf_counter()
     for step in range(_STEPS):
         world.sense()
@@ -54,7 +54,7 @@ def _world(arena: Arena) -> float:
 
 
 def _link(arena: Arena) -> float:
-    lockstep = Lockstep(World(arena, DEFAULT_ROBOT), 1)
+    lockstep = Lockstep(World(arena, robot_in(arena)), 1)
     lockstep.feed(b'{"op":"ready"}\n')
     command = (
         b'{"op":"publish","topic":"/mobile_base/commands/velocity","msg":{"linear":{"x":0.5},"angular":{"z":0.1}}}\n'

@@ -25,7 +25,7 @@ from ..programs.input_file import read_inputs
 from ..programs.program_file import ProgramFile, read_program
 from ..recordings.mcap_file import RunDetails
 from ..recordings.recording_folder import RecordingFolder, named_recording, recorded_sentence
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..rooms.command import check_options, test_in_rooms
 from ..rooms.programs import Pool
 from ..run.grading import Grade, csv_rows, format_table, grade_programs, programs_in
@@ -44,6 +44,7 @@ from .problem_text import format_problem
 from .run_options import (
     MAX_SECONDS,
     arena_of,
+    is_simulated,
     moment_of,
     safety_of,
     safety_options,
@@ -78,7 +79,7 @@ def run_command(config: Config, options: argparse.Namespace) -> int:
 def _run(config: Config, options: argparse.Namespace) -> int:
     native = is_native(options.file)
     program = ProgramFile("") if native else read_program(options.file, options.encoding)
-    if options.robot is not None:
+    if not is_simulated(options):
         if native:
             raise BadInput(
                 tr("A built program drives by itself: {file} --robot {robot}", file=options.file, robot=options.robot)
@@ -96,7 +97,7 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         safety=safety_of(options),
         busy_waits=True,
     )
-    world = World(arena, DEFAULT_ROBOT, settings.seed)
+    world = World(arena, robot_in(arena), settings.seed)
     moment = moment_of(options.explain)
     record = RecordedRun(moment) if options.explain is not None else None
     memories: dict[str, str] = {}
@@ -118,7 +119,7 @@ def _run(config: Config, options: argparse.Namespace) -> int:
             if record is not None and outcome.ended != "refused":
                 memories = written_memories(worker.check(program.source).graph)
     if record is not None:
-        _print_explanation(record, moment, memories)
+        _print_explanation(record, RobotLimits.of_motors(world.robot.limits), moment, memories)
     outcome.problems = program.in_file(outcome.problems)
     return _report(options.file, world, outcome)
 
@@ -177,12 +178,13 @@ def _place(world: World) -> Sentence:
     )
 
 
-def _print_explanation(record: RecordedRun, moment: float | None, memories: dict[str, str]) -> None:
+def _print_explanation(
+    record: RecordedRun, limits: RobotLimits, moment: float | None, memories: dict[str, str]
+) -> None:
     """
     Why what was sent at a time, s, or last, was sent; in the language of the terminal. ``memories``: as the program
     writes their types.
     """
-    limits = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
     language = machine_wording()
     mark = language.forms.decimal_mark if language.forms is not None else "."
     for link in explain(record, limits, moment):
@@ -193,12 +195,12 @@ def _print_explanation(record: RecordedRun, moment: float | None, memories: dict
 def _grade(config: Config, options: argparse.Namespace) -> int:
     """Several programs: a table, and the worst of their exit statuses."""
     for name in ("trace", "input", "robot", "explain"):
-        if getattr(options, name) is not None:
+        if getattr(options, name) is not None and not (name == "robot" and is_simulated(options)):
             raise BadInput(tr("--{name} is for one program at a time.", name=name))
     if options.world is not None:
         usable_arena(load_world(options.world), options.world)
     warn_without_sandbox(config)
-    given = {f"--{name}": getattr(options, name) for name in ("world", "seconds", "seed", "speed", "encoding")}
+    given = {f"--{name}": getattr(options, name) for name in ("world", "robot", "seconds", "seed", "speed", "encoding")}
     given |= {f"--{name.replace('_', '-')}": value for name, value in safety_options(options).items()}
     passed = [text for name, value in given.items() if value is not None for text in (name, str(value))]
     grades = grade_programs(programs_in(options.files), passed)

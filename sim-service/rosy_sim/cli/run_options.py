@@ -8,8 +8,9 @@ import random
 
 from ..errors import BadInput
 from ..programs.program_file import ProgramFile
+from ..robots import ROBOTS, robot_names
 from ..run.steps.velocity_guard import SafetySettings
-from ..sentences.sentence import tr
+from ..sentences.sentence import Sentence, tr
 from ..world.arena import Arena
 from ..worlds.gallery import DEFAULT_WORLD, load_world, named_world, usable_arena
 
@@ -71,14 +72,35 @@ def moment_of(wanted: str | None) -> float | None:
     return moment
 
 
+def is_simulated(options: argparse.Namespace) -> bool:
+    """Whether the program drives in the simulator: ``--robot`` is absent, or the name of a robot and no address."""
+    return options.robot is None or ":" not in options.robot
+
+
 def arena_of(program: ProgramFile, options: argparse.Namespace) -> Arena:
+    """The room of a run, with the robot that the options name, or else its own."""
+    json: object
+    where: str | Sentence
     if options.world is not None:
-        return usable_arena(load_world(options.world), options.world)
-    if program.world is None:
-        return usable_arena(named_world(DEFAULT_WORLD), DEFAULT_WORLD)
-    if isinstance(program.world, str):
-        return usable_arena(named_world(program.world), program.world)
-    return usable_arena(program.world, tr("The world in {file}", file=options.file))
+        json, where = load_world(options.world), options.world
+    elif program.world is None or isinstance(program.world, str):
+        where = program.world or DEFAULT_WORLD
+        json = named_world(where)
+    else:
+        json, where = program.world, tr("The world in {file}", file=options.file)
+    if options.robot is not None:
+        if options.robot not in ROBOTS:
+            raise BadInput(
+                tr(
+                    "The simulator has no robot {name}; it has {names}. "
+                    "A real robot has an address, such as ws://HOST:9090.",
+                    name=repr(options.robot),
+                    names=robot_names(),
+                )
+            )
+        if isinstance(json, dict):
+            json = {**json, "robot": options.robot}
+    return usable_arena(json, where)
 
 
 def safety_options(options: argparse.Namespace) -> dict[str, str | float]:
@@ -93,12 +115,7 @@ def safety_options(options: argparse.Namespace) -> dict[str, str | float]:
 def safety_of(options: argparse.Namespace) -> SafetySettings:
     """Safety rules and limits of the simulated robot: off, unless one of the options is given."""
     given = safety_options(options)
-    default = SafetySettings()
-    return SafetySettings(
-        on=given.get("safety", "on" if given else "off") == "on",
-        max_speed=float(given.get("max_speed", default.max_speed)),
-        max_turn=float(given.get("max_turn", default.max_turn)),
-    )
+    return SafetySettings(given.get("safety", "on" if given else "off") == "on", options.max_speed, options.max_turn)
 
 
 def with_options(address: str, given: dict[str, str | float]) -> str:

@@ -15,6 +15,7 @@ from typing import NamedTuple
 from ..robot_description import type_roles
 from ..wire.explanation import Sentence
 from ..wire.firing import Firing
+from ..world.robot import MotorLimits
 from .recorded_run import RecordedRun, SentCommand
 from .values import velocity_values
 from .why import Link, ending, shown_inputs
@@ -69,6 +70,11 @@ class RobotLimits(NamedTuple):
 
     speed: float
     turn: float
+
+    @classmethod
+    def of_motors(cls, limits: MotorLimits) -> RobotLimits:
+        """Those of a simulated robot."""
+        return cls(limits.speed, limits.angular_speed)
 
 
 def why_not_run(run: RecordedRun, functions: Sequence[FunctionType], name: str, window: Window) -> Link:

@@ -12,7 +12,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.steps.lockstep import Lockstep
 from ..sentences.sentence import Sentence, SentenceError, tr
 from ..wire.verdict import Verdict
@@ -84,7 +84,7 @@ class LessonWatch:
     def __init__(self, step: CheckedStep, arena: Arena) -> None:
         self._step = step
         held = [found for check in step.checks if isinstance(check, Holds) for found in read_properties(check.property)]
-        properties = PropertyTracker(held, arena, DEFAULT_ROBOT.body) if held else None
+        properties = PropertyTracker(held, arena, robot_in(arena).body) if held else None
         self._recording = Recording(arena, properties=properties)
         self._graph: ProgramGraph | None = None
         # Whether nothing more is recorded: the step's time is over, or the run is.

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from ..config import Limits
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_program
 from ..run.steps.lockstep import Lockstep
 from ..wire.user_input import TimedInput, user_actions
@@ -48,6 +48,6 @@ def attempt(
         # Whether a check changed does not end the run.
         watch.on_step(lockstep)
 
-    run = run_program(worker, source, World(arena, DEFAULT_ROBOT, seed), settings, RunOutput(observe=observe))
+    run = run_program(worker, source, World(arena, robot_in(arena), seed), settings, RunOutput(observe=observe))
     watch.finish()
     return Attempt(run, watch.verdicts, watch.is_passed)

@@ -18,7 +18,7 @@ from dataclasses import dataclass, field
 
 from ..config import Limits
 from ..errors import WorkerFailed, WorkerLost
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_over_link
 from ..run.problems import worker_lost, worker_problem
 from ..run.steps.lockstep import Lockstep
@@ -137,7 +137,7 @@ class ProgramRun:
             if isinstance(answer, Gone):
                 report.problems = [answer.problem] if answer.problem is not None else [worker_lost(0.0)]
                 return report
-            world = World(choice.arena, DEFAULT_ROBOT, seed)
+            world = World(choice.arena, robot_in(choice.arena), seed)
             settings = RunSettings(choice.seconds, seed, None, (), self._limits)
             supervised = _SupervisedProgram(self._worker, program, self._limits.gone, asyncio.get_running_loop())
             try:

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from ..errors import BadInput
-from ..robots import DEFAULT_ROBOT
+from ..robots import ROBOTS
 from ..sentences.sentence import tr
 from ..world.arena import MAX_SHAPES, WALL_THICKNESS
 from ..world.field_readers import MAX_SIDE, MIN_LENGTH
@@ -149,7 +149,8 @@ def _box(area: CellRectangle, size: float) -> dict[str, object]:
 def _start(path: Path, file: MapFile, grid: Occupancy) -> tuple[float, float]:
     """The origin of the map when the robot has space there, or else the place with the most."""
     size = file.resolution
-    needed = math.ceil((DEFAULT_ROBOT.body.radius + WALL_THICKNESS) / size) + 1
+    radius = max(robot.body.radius for robot in ROBOTS.values())
+    needed = math.ceil((radius + WALL_THICKNESS) / size) + 1
     rows, wide, space = grid.free, grid.free, 0
     while space < max(needed, math.ceil(_WIDE / size)):
         # Squares and crosses in turn make octagons, which hold a disc of as many cells.

@@ -8,13 +8,12 @@ not reach.
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 from urllib.parse import parse_qs
 
 from ..errors import BadInput
 from ..files import read_json
-from ..robot_description import description, known_robots
+from ..robot_description import description, known_robots, lacking
 from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 
@@ -27,13 +26,7 @@ def missing_parts(address: str, uses: list[str]) -> list[str]:
     if name not in known_robots():
         return []
     is_serial = address.startswith("serial:")
-    has = {
-        channel["name"]
-        for channel in description(name)["channels"]
-        if "option" not in channel or (not is_serial and _option(address, channel["option"]) == "on")
-    }
-    channels = _channels()
-    return [used for used in uses if used in channels and channels[used] not in has]
+    return lacking(name, uses, lambda option: not is_serial and _option(address, option) == "on")
 
 
 def missing_parts_problem(address: str, uses: list[str]) -> Problem | None:
@@ -75,15 +68,3 @@ def _option(address: str, name: str) -> str | None:
             # As rosy-robot reads a profile.
             return value if isinstance(value, str) else "on" if value else "off"
     return None
-
-
-@cache
-def _channels() -> dict[str, str]:
-    """The channel of each type that is one or a part of one, over all robots."""
-    found: dict[str, str] = {}
-    for robot in map(description, known_robots()):
-        found |= {channel["name"]: channel["name"] for channel in robot["channels"]}
-        found |= {
-            kind["name"]: kind["view"]["of"] for kind in robot["types"] if "view" in kind and kind["name"] not in found
-        }
-    return found

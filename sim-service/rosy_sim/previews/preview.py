@@ -14,7 +14,7 @@ from typing import Any
 import msgspec
 
 from ..config import Limits
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.headless_run import Program, RunOutput, RunResult, RunSettings, run_over_link
 from ..run.steps.hands import Hand, read_hands
 from ..run.steps.velocity_guard import SafetySettings
@@ -62,7 +62,7 @@ class RoomCache:
             self._arena = read_arena(room)
             self._json = room
             self._obstacles = None
-        world = World(self._arena, DEFAULT_ROBOT, seed, self._obstacles)
+        world = World(self._arena, robot_in(self._arena), seed, self._obstacles)
         # Things that can be pushed do not stand where they stood.
         self._obstacles = None if world.obstacles.movables else world.obstacles
         return world

@@ -19,7 +19,7 @@ from ..programs.program_file import ProgramFile, read_program
 from ..sentences.sentence import Sentence, tr
 from ..wire.problem import Problem
 from ..worker.blocking_worker import BlockingWorker
-from ..worlds.gallery import DEFAULT_WORLD, load_world, usable_arena
+from ..worlds.gallery import DEFAULT_WORLD, load_world, usable_world
 from .fit import Fit, fit, recorded_drive
 from .mcap_file import Recording, open_recording
 from .replay import Difference, replay, shown
@@ -86,8 +86,9 @@ def _fit_recording(options: argparse.Namespace, say: Callable[[Sentence], None])
     """Fit the simulated robot to the recorded one, and write a room with it."""
     name = options.world if options.world is not None else DEFAULT_WORLD
     world = load_world(name)
+    robot = usable_world(world, name).robot
     with open_recording(options.file) as recording:
-        found = fit(recorded_drive(recording.lines()))
+        found = fit(recorded_drive(recording.lines()), robot.limits)
         _tell_gaps(recording, say)
     if not found.realism():
         raise BadInput(
@@ -101,7 +102,7 @@ def _fit_recording(options: argparse.Namespace, say: Callable[[Sentence], None])
         say(sentence)
     output: Path = options.output or options.file.with_suffix(".json")
     fitted = {**world, "name": output.stem, "realism": {**world.get("realism", {}), **found.realism()}}
-    usable_arena(fitted, str(output))
+    usable_world(fitted, str(output))
     with AtomicFile(output) as file:
         file.write(msgspec.json.format(msgspec.json.encode(fitted), indent=2) + b"\n")
     say(tr("{output}: the room {room} with such a robot; --world and the page open it.", output=output, room=name))

@@ -20,7 +20,6 @@ from typing import Any, NamedTuple
 
 import msgspec
 
-from ..robots import DEFAULT_ROBOT
 from ..wire.channels import BadMessage, Channel, Values
 from ..wire.topics import CHANNELS, ODOMETRY
 from ..world.events import VELOCITY_CHANNEL
@@ -158,14 +157,14 @@ def _numbers(channel: Channel, data: bytes, count: int) -> list[list[float]]:
     return [[float(value) for value in channel.read(message)[:count]]] if channel.is_in(message, count) else []
 
 
-def fit(drive: RecordedDrive) -> Fit:
-    """The parameters with which the simulated base moves most like the recorded one."""
+def fit(drive: RecordedDrive, usual: MotorLimits) -> Fit:
+    """The parameters with which a simulated base with these motors moves most like the recorded one."""
     real = _real_path(_evenly_timed(drive.moved))
     end = real.begin + min(real.length, _LONGEST)
     windows = _not_held(drive, _pieces(real.begin, end, int((end - real.begin) / _WINDOW)))
     moved = [real.between(since, until) for since, until in windows]
     best: tuple[float, float, Fit, _Path] | None = None
-    usual = DEFAULT_ROBOT.limits
+    base = usual.wheelbase / 2
     prompt = replace(usual, acceleration=math.inf, angular_acceleration=math.inf)
     for limits in (usual, prompt):
         predicted = _predicted_path(drive.told, real.begin, end, limits)
@@ -173,7 +172,7 @@ def fit(drive: RecordedDrive) -> Fit:
             told = [predicted.between(since - latency, until - latency) for since, until in windows]
             pairs = list(zip(told, moved, strict=True))
             found = _solve(pairs, latency)
-            error = sum(_squared_errors(pairs, found))
+            error = sum(_squared_errors(pairs, found, base))
             if best is None or error < best[0] - 1e-12:
                 best = (error, latency, found, predicted)
     assert best is not None
@@ -182,7 +181,7 @@ def fit(drive: RecordedDrive) -> Fit:
     steady = _not_held(drive, _steady(drive.told, end, latency))
     for these in (steady, windows):
         pairs = [(predicted.between(a - latency, b - latency), real.between(a, b)) for a, b in these]
-        better = _without_outliers(pairs, _solve(pairs, latency))
+        better = _without_outliers(pairs, _solve(pairs, latency), base)
         if better.realism().keys() == found.realism().keys():
             return better
     return found
@@ -215,12 +214,12 @@ def _steady(told: Sequence[Told], end: float, latency: float) -> list[tuple[floa
     return windows
 
 
-def _without_outliers(pairs: Sequence[tuple[_Window, _Window]], found: Fit) -> Fit:
+def _without_outliers(pairs: Sequence[tuple[_Window, _Window]], found: Fit, base: float) -> Fit:
     """The fit to those windows that it explains about as well as most; as it was where the others tell too little."""
     if not pairs:
         return found
     for _ in range(_ROUNDS):
-        errors = [math.sqrt(error) for error in _squared_errors(pairs, found)]
+        errors = [math.sqrt(error) for error in _squared_errors(pairs, found, base)]
         most = max(_EXACT, _TIMES_MEDIAN * statistics.median(errors))
         kept = [pair for pair, error in zip(pairs, errors, strict=True) if error <= most]
         better = _solve(kept, found.latency or 0.0)
@@ -253,9 +252,11 @@ def _solve(pairs: Sequence[tuple[_Window, _Window]], latency: float) -> Fit:
     return Fit(travel, turning, veer, latency if drove or turned else None, way, turn)
 
 
-def _squared_errors(pairs: Sequence[tuple[_Window, _Window]], found: Fit) -> list[float]:
-    """What the parameters leave unexplained in each window, m²: of the way, and of the turn as that of a wheel."""
-    base = DEFAULT_ROBOT.body.wheelbase / 2
+def _squared_errors(pairs: Sequence[tuple[_Window, _Window]], found: Fit, base: float) -> list[float]:
+    """
+    What the parameters leave unexplained in each window, m²: of the way, and of the turn as that of a wheel ``base`` m
+    from the middle.
+    """
     travel, turning = (1.0 if value is None else value for value in (found.travel, found.turning))
     veer = found.veer or 0.0
     return [

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 
 import msgspec
 
-from ..robots import DEFAULT_ROBOT
+from ..robots import ROBOTS
 from ..wire.channels import BadMessage, Channel, Values
 from ..wire.telemetry import PoseShown, Shown
 from ..wire.topics import CHANNELS, ODOMETRY
@@ -21,15 +21,23 @@ from .link_log import publication
 __all__ = ["RobotState"]
 
 
+_SENSED_AT_START: dict[str, Values] = {}
+_HELD_AT_START: dict[str, Values] = {}
+"""Of all robots, since the robot link has one table of channels; where two differ, as the first of them has it."""
+for _robot in reversed(ROBOTS.values()):
+    _SENSED_AT_START |= _robot.states(SensorBits())
+    _HELD_AT_START |= _robot.outputs
+
+
 class RobotState:
     """Nothing touches the robot at first, and it is switched on."""
 
     def __init__(self) -> None:
         self.pose = PoseShown(0.0, 0.0, 0.0)
         self.speed, self.turn = 0.0, 0.0
-        self._sensed: dict[str, Values] = {**DEFAULT_ROBOT.states(SensorBits())}
+        self._sensed = dict(_SENSED_AT_START)
         # What lasts of commands.
-        self._held: dict[str, Values] = {**DEFAULT_ROBOT.outputs}
+        self._held = dict(_HELD_AT_START)
 
     def hear(self, line: bytes) -> None:
         """A line for the program. What does not fit its topic is left out, as the program does."""

@@ -219,7 +219,8 @@ def _print_report(file: Path, test: RoomTest, tested: Tested, room_file: str | N
     output.write(neutralize_line(in_terminal(tried)))
     options = f"--world {shlex.quote(room_file)} --seed {outcome.seed} --seconds {test.seconds:g}"
     if test.safety.on:
-        options += f" --safety on --max-speed {test.safety.max_speed:g} --max-turn {test.safety.max_turn:g}"
+        limits = {"max-speed": test.safety.max_speed, "max-turn": test.safety.max_turn}
+        options += " --safety on" + "".join(f" --{name} {most:g}" for name, most in limits.items() if most is not None)
     output.write(
         neutralize_line(in_terminal(tr("See it: {command}", command=f"./rosy run {shlex.quote(str(file))} {options}")))
     )

@@ -14,7 +14,7 @@ from typing import Any, Literal
 import msgspec
 
 from ..config import Limits
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..run.headless_run import Program, RunOutput, RunSettings, run_over_link
 from ..run.steps.lockstep import Lockstep
 from ..run.steps.velocity_guard import OFF, SafetySettings
@@ -79,7 +79,7 @@ class _Recorder:
     """Follows a run: the verdicts and the path."""
 
     def __init__(self, properties: Sequence[Property], world: World) -> None:
-        self.tracker = PropertyTracker(properties, world.arena, DEFAULT_ROBOT.body)
+        self.tracker = PropertyTracker(properties, world.arena, world.robot.body)
         self.path = [(round(world.x, 3), round(world.y, 3))]
 
     def observe(self, lockstep: Lockstep) -> bool:
@@ -105,7 +105,8 @@ def judge_run(
 ) -> Outcome:
     """Run a program that waits at the other end of a link in a room: its number, its world and its seed."""
     number, json, seed = room
-    world = World(read_arena(json), DEFAULT_ROBOT, seed)
+    arena = read_arena(json)
+    world = World(arena, robot_in(arena), seed)
     recorder = _Recorder(properties, world)
     settings = RunSettings(seconds, seed, limits=limits, safety=safety)
     result = run_over_link(link, world, settings, RunOutput(observe=recorder.observe), program)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import msgspec
 
 from ..errors import WorkerFailed
+from ..robot_description import description, lacking
 from ..sentences.sentence import tr
 from ..wire.problem import Problem, problem
 from ..wire.worker import Gone
@@ -113,6 +114,16 @@ def lost_robot(time: float) -> Problem:
 
 def missing_parts(world: World, uses: list[str]) -> list[Problem]:
     """Why a program cannot run in a room whose robot lacks a part; none when it can."""
+    robot = world.robot.name
+    missing = lacking(robot, uses, lambda _option: True)
+    if missing:
+        return [
+            problem(
+                "missing-part",
+                tr("The robot ({robot}) has no {parts}.", robot=description(robot)["title"], parts=", ".join(missing)),
+                tr("Take out the functions that use it, or choose another robot."),
+            )
+        ]
     missing = world.missing_parts(uses)
     if not missing:
         return []

@@ -140,6 +140,8 @@ class Arena:
     # Whether the robot carries a laser scanner.
     scanner: bool = True
     lines: tuple[FloorLine, ...] = ()
+    # Name of the robot; None for the usual one.
+    robot: str | None = None
 
     def tile_at(self, x: float, y: float) -> str:
         """``#``, ``.`` or ``O`` under a point; the world outside is wall."""
@@ -182,6 +184,7 @@ def read_arena(value: object) -> Arena:
         "battery",
         "scanner",
         "lines",
+        "robot",
     }
     for key in fields:
         if key not in known:
@@ -217,10 +220,12 @@ def read_arena(value: object) -> Arena:
     if not 0 <= battery <= 1:
         raise ArenaError("battery", tr("the battery must be between 0, empty, and 1, full."))
     scanner = flag(fields, "scanner", missing=True)
-    lines = _lines(fields)
-    return Arena(
-        name, width, height, start, tile, tiles, walls, boxes, rounds, goals, realism, dock, battery, scanner, lines
-    )
+    robot = fields.get("robot")
+    if robot is not None and not isinstance(robot, str):
+        raise ArenaError("robot", tr("the robot must be text."))
+    things = (tile, tiles, walls, boxes, rounds, goals)
+    parts = (realism, dock, battery, scanner, _lines(fields), robot)
+    return Arena(name, width, height, start, *things, *parts)
 
 
 def _lines(fields: dict[str, object]) -> tuple[FloorLine, ...]:

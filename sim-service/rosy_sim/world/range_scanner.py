@@ -1,5 +1,5 @@
 """
-Range scanner: casts the beams of a laser scanner in the middle of the robot, while a program or a ROS client listens.
+Range scanner: casts the beams of a laser scanner, while a program or a ROS client listens.
 
 ``Ahead`` is the nearest thing within a few degrees of straight ahead, ``Scan`` the distance of every beam. A beam that
 meets nothing says the longest distance that the scanner can measure. The scanner turns at a fixed rate from the start
@@ -58,6 +58,8 @@ class RangeScanner:
         """What it says in a step of the world to those who listen; nothing between two turns."""
         if not self.heard or step % self._model.period != 0:
             return []
+        forwards = self._model.forwards
+        x, y = x + forwards * math.cos(theta), y + forwards * math.sin(theta)
         found: list[Reading] = []
         if SCAN in self.heard:
             distances = [self._cast(i, x, y, theta) for i in range(self._model.beams)]

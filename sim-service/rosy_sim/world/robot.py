@@ -83,6 +83,8 @@ class ScannerModel:
     period: int
     # Beams at most this far from straight ahead count for `Ahead`, rad.
     ahead: float
+    # How far before the middle between the wheels it is, m.
+    forwards: float = 0.0
 
 
 PointSensor = Callable[[Arena, float, float, float], int]
@@ -136,8 +138,8 @@ class Robot:
     name: str
     body: Body
     limits: MotorLimits
-    # The event of the first packet.
-    online: Reading
+    # The event of the first packet; None of a robot that does not announce itself.
+    online: Reading | None
     # Bits for surfaces touched in these directions (rad, in the room) by a robot at theta (rad).
     bumpers: Callable[[tuple[float, ...], float], int]
     cliffs: PointSensor

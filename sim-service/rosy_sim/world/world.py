@@ -184,7 +184,8 @@ class World:
             found = found + self._scanner.readings(self._steps, self.x, self.y, self.theta)
         if self._devices:
             found += self._device_readings(first)
-        return [self.robot.online, *found] if first else found
+        online = self.robot.online
+        return [online, *found] if first and online is not None else found
 
     def missing_parts(self, uses: Collection[str]) -> list[str]:
         """Those of a program's types for which the robot of this room carries no sensor, in their order."""

@@ -12,7 +12,7 @@ import msgspec
 
 from ..errors import BadInput
 from ..files import read_json
-from ..robots import DEFAULT_ROBOT
+from ..robots import robot_in
 from ..sentences.sentence import Sentence, tr
 from ..world.arena import Arena, ArenaError, read_arena
 from ..world.world import World
@@ -75,15 +75,16 @@ def usable_arena(value: object, where: str | Sentence) -> Arena:
     return usable_world(value, where).arena
 
 
-def usable_world(value: object, where: str | Sentence) -> World:
+def usable_world(value: object, where: str | Sentence, seed: int = 0) -> World:
     """
-    A world with a robot in it.
+    A world with its robot in it; ``seed`` of its random numbers.
 
     Raises:
         BadInput: with the path to what is wrong.
     """
     with refusing_worlds(where):
-        return World(read_arena(value), DEFAULT_ROBOT)
+        arena = read_arena(value)
+        return World(arena, robot_in(arena), seed)
 
 
 @contextmanager

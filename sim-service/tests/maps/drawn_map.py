@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from pathlib import Path
 
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.world.arena import Arena
 from rosy_sim.world.obstacles import Obstacles
 
@@ -60,7 +60,7 @@ def map_file(folder: Path, pixels: bytes, /, **changed: object) -> Path:
 
 def obstacles(arena: Arena) -> Obstacles:
     """What is in a room, for casting rays."""
-    built = Obstacles(DEFAULT_ROBOT.body)
+    built = Obstacles(KOBUKI.body)
     for _ in built.add(arena):
         pass
     return built

@@ -15,7 +15,8 @@ import pytest
 from rosy_sim.config import Config, discover
 from rosy_sim.errors import BadInput
 from rosy_sim.recordings.command import replay_recording
-from rosy_sim.recordings.fit import Moved, RecordedDrive, Told, fit, recorded_drive
+from rosy_sim.recordings.fit import Fit, Moved, RecordedDrive, Told, recorded_drive
+from rosy_sim.recordings.fit import fit as fitted
 from rosy_sim.recordings.link_log import LinkLine
 from rosy_sim.recordings.mcap_file import open_recording
 from rosy_sim.robots.kobuki import KOBUKI
@@ -29,6 +30,10 @@ from .stand_in_base import recorded, recorded_at, ros2_robot
 
 # Seconds, m/s, rad/s.
 SQUARES = [(2.0, 0.3, 0.0), (1.5, 0.0, 1.0), (2.0, -0.2, 0.0), (1.0, 0.0, -1.5), (2.0, 0.3, 0.5), (1.0, 0.0, 0.0)]
+
+
+def fit(drive: RecordedDrive) -> Fit:
+    return fitted(drive, KOBUKI.limits)
 
 
 def driven(parts: list[tuple[float, float, float]] = SQUARES, **realism: float) -> RecordedDrive:

@@ -8,7 +8,7 @@ import json
 import pytest
 
 from rosy_sim.errors import BadInput
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.rooms.generation.dice import Dice
 from rosy_sim.rooms.generation.fairness import is_fair
 from rosy_sim.rooms.generation.families import FAMILIES, generate_room, read_family
@@ -46,7 +46,7 @@ def test_rooms_are_fair_and_differ(name: str) -> None:
     rooms = [generate_room(family, SEED, number) for number in range(1, 13)]
     for room in rooms:
         arena = read_arena(room.world)
-        world = World(arena, DEFAULT_ROBOT)
+        world = World(arena, KOBUKI)
         assert not world.sensors.bumpers
         assert any(isinstance(goal, Reach) for goal in arena.goals)
         assert is_fair(room.world, 0.0)

@@ -14,7 +14,7 @@ from typing import Any
 
 import pytest
 
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.rooms.generation.families import generate_room, read_family
 from rosy_sim.rooms.generation.reductions import Reduction, reduction_of
 from rosy_sim.rooms.generation.shrinking import shrink
@@ -73,8 +73,8 @@ MOST_THINGS = 7
 
 def fails(room: dict[str, Any], words: str, drive: Drive) -> bool:
     arena = read_arena(room)
-    world = World(arena, DEFAULT_ROBOT)
-    tracker = PropertyTracker(read_properties(words), arena, DEFAULT_ROBOT.body)
+    world = World(arena, KOBUKI)
+    tracker = PropertyTracker(read_properties(words), arena, KOBUKI.body)
     for step in range(SECONDS * 50):
         world.sense()
         world.command(velocity(*drive(step, world)))

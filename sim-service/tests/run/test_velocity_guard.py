@@ -11,6 +11,7 @@ from typing import Any
 
 import pytest
 
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.run.steps.velocity_guard import SafetySettings, VelocityGuard
 from rosy_sim.world.events import Reading
@@ -28,7 +29,7 @@ def settings(on: bool) -> SafetySettings:
 
 @pytest.mark.parametrize("case", CASES, ids=[case["case"] for case in CASES])
 def test_table(case: dict[str, Any]) -> None:
-    guard = VelocityGuard(settings(case["on"]))
+    guard = VelocityGuard(settings(case["on"]), KOBUKI.limits)
     for happening in case["happenings"]:
         match happening:
             case {"hear": [channel, *values]}:
@@ -47,7 +48,7 @@ def test_table(case: dict[str, Any]) -> None:
 
 
 def test_numbers_that_are_none_become_zero() -> None:
-    assert VelocityGuard(settings(True)).command(0.0, math.nan, math.inf) == (0.0, 0.0)
+    assert VelocityGuard(settings(True), KOBUKI.limits).command(0.0, math.nan, math.inf) == (0.0, 0.0)
 
 
 def test_a_program_that_drives_into_a_wall_is_turned_away_only_while_the_rules_are_on() -> None:

@@ -12,13 +12,12 @@ from typing import Any
 
 from rosy_sim.config import Limits, discover
 from rosy_sim.explain.recorded_run import RecordedRun
-from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunResult, RunSettings, run_program
 from rosy_sim.wire.user_input import Published
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import UserAction
 from rosy_sim.world.world import World
-from rosy_sim.worlds.gallery import named_world, usable_arena
+from rosy_sim.worlds.gallery import named_world, usable_world
 
 __all__ = ["LIMITS", "Ran", "example", "program", "ran", "velocities", "worker_started"]
 
@@ -116,7 +115,7 @@ def ran(
     record: RecordedRun | None = None,
 ) -> Ran:
     """Run a program; ``record`` takes its firings."""
-    place = World(usable_arena(world if world is not None else named_world("empty"), "world"), KOBUKI, seed)
+    place = usable_world(world if world is not None else named_world("empty"), "world", seed)
     trace = io.BytesIO()
     said: list[str] = []
     settings = RunSettings(seconds, seed, None, hands, limits)

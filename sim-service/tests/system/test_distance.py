@@ -8,11 +8,12 @@ from typing import Any
 import pytest
 
 from rosy_sim.config import discover
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunResult, RunSettings, run_program
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.world import World
+from rosy_sim.worlds.gallery import named_world, usable_world
 
 from .real_runs import LIMITS, worker_started
 
@@ -34,7 +35,7 @@ def worker() -> Iterator[BlockingWorker]:
 
 
 def run(worker: BlockingWorker, source: str, seconds: float, **room: Any) -> tuple[World, RunResult, list[str]]:
-    world = World(read_arena({**ROOM, **room}), DEFAULT_ROBOT)
+    world = World(read_arena({**ROOM, **room}), KOBUKI)
     said: list[str] = []
     result = run_program(worker, source, world, RunSettings(seconds, 1, limits=LIMITS), RunOutput(say=said.append))
     return world, result, said
@@ -60,6 +61,23 @@ def test_the_example_stands_half_a_metre_from_the_wall(worker: BlockingWorker) -
     assert (result.ended, result.problems) == ("time", [])
     assert world.x == pytest.approx(3.5, abs=0.01)
     assert world.v == pytest.approx(0, abs=0.01)
+
+
+def test_the_example_with_a_scanner_turns_to_the_gap_and_drives_out(worker: BlockingWorker) -> None:
+    source = (discover().examples / "findGap" / "Main.hs").read_text()
+    world = usable_world(named_world("gap"), "gap")
+    result = run_program(worker, source, world, RunSettings(20, 1, limits=LIMITS), RunOutput())
+    assert world.robot.name == "turtlebot3"
+    assert (result.ended, [goal.state for goal in result.goals]) == ("time", ["done", "done"])
+
+
+def test_a_program_with_a_bumper_is_refused_for_a_robot_without_one(worker: BlockingWorker) -> None:
+    world = usable_world(named_world("gap"), "gap")
+    source = "main = simulate stop\n\nstop :: Bumper -> Velocity\nstop _ = Velocity 0 0\n"
+    result = run_program(worker, source, world, RunSettings(20, 1, limits=LIMITS), RunOutput())
+    assert (result.ended, result.steps) == ("refused", 0)
+    [found] = result.problems
+    assert found.message == "The robot (TurtleBot 3) has no Bumper."
 
 
 def test_a_task_ends_when_something_is_near(worker: BlockingWorker) -> None:

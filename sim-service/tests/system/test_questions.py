@@ -18,8 +18,8 @@ import pytest
 
 from rosy_sim.config import discover
 from rosy_sim.explain.function_types import written_memories
+from rosy_sim.explain.why_not import RobotLimits
 from rosy_sim.explain.wording import english
-from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.run.headless_run import RunOutput, RunSettings, run_over_link
 from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.web.sessions.run_explanations import RunExplanations
@@ -29,8 +29,7 @@ from rosy_sim.wire.worker import Started
 from rosy_sim.worker.blocking_worker import BlockingWorker
 from rosy_sim.world.events import Lift, Press, Teleport, UserAction
 from rosy_sim.world.field_readers import Pose
-from rosy_sim.world.world import World
-from rosy_sim.worlds.gallery import named_world, usable_arena
+from rosy_sim.worlds.gallery import named_world, usable_world
 
 from .real_runs import LIMITS, program, worker_started
 
@@ -129,10 +128,10 @@ class Asked:
         # Questions name memories as the program writes their types, a request as the run tells them.
         self._memories = {name: spelled for spelled, name in written_memories(checked.graph).items()}
         self._explanations.on_checked(source, checked)
-        self._explanations.start(1, source)
+        place = usable_world(named_world(world), "world", 1)
+        self._explanations.start(1, source, RobotLimits.of_motors(place.robot.limits))
         self._firings: list[tuple[float, str, int]] = []
         self._branches: list[Branch] = []
-        place = World(usable_arena(named_world(world), "world"), KOBUKI, 1)
         settings = RunSettings(section.seconds, 1, None, section.hands, LIMITS)
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         with ours:

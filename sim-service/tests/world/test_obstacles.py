@@ -7,7 +7,7 @@ import weakref
 
 import pytest
 
-from rosy_sim.robots import DEFAULT_ROBOT
+from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.world.arena import Arena, ArenaError, read_arena
 from rosy_sim.world.obstacles import MAX_WALLS, Obstacles
 from rosy_sim.world.world import World
@@ -20,14 +20,14 @@ def checkerboard(side: int) -> Arena:
 
 
 def test_wall_tiles_that_make_too_many_walls_are_refused_before_one_is_built() -> None:
-    pieces = Obstacles(DEFAULT_ROBOT.body).add(checkerboard(200))
+    pieces = Obstacles(KOBUKI.body).add(checkerboard(200))
     with pytest.raises(ArenaError, match=f"more than {MAX_WALLS} walls"):
         next(pieces)
 
 
 def test_a_grid_of_joined_wall_tiles_may_be_as_large_as_ever() -> None:
     rows = ["#" * 200, *["#" + "." * 198 + "#"] * 198, "#" * 200]
-    World(read_arena({"tiles": rows, "start": {"x": 5, "y": 5}}), DEFAULT_ROBOT)
+    World(read_arena({"tiles": rows, "start": {"x": 5, "y": 5}}), KOBUKI)
 
 
 def test_a_room_is_freed_when_nothing_refers_to_it_without_the_garbage_collector() -> None:
@@ -36,7 +36,7 @@ def test_a_room_is_freed_when_nothing_refers_to_it_without_the_garbage_collector
     arena = read_arena({"tiles": tiles, "rounds": things, "start": {"x": 1, "y": 1}})
     gc.disable()
     try:
-        world = World(arena, DEFAULT_ROBOT)
+        world = World(arena, KOBUKI)
         for _ in range(10):
             world.sense()
             world.integrate()
@@ -53,11 +53,11 @@ def test_a_free_position_is_the_same_whatever_was_asked_before(movable: bool) ->
     """A question that was just asked is not computed again, unless things could have moved meanwhile."""
     things = [{"x": 1 + i, "y": 1.5, "r": 0.2, "movable": movable} for i in range(3)]
     arena = read_arena({"size": [4, 3], "rounds": things, "start": {"x": 0.5, "y": 0.5}})
-    asked = World(arena, DEFAULT_ROBOT).obstacles
+    asked = World(arena, KOBUKI).obstacles
     # In the open, in a wall, in a thing, between two, and far outside.
     points = [(0.5, 0.5), (0.1, 0.5), (1.05, 1.4), (1.5, 1.5), (-3.0, 0.5)]
     for x, y in [point for point in points for _ in range(3)] + points:
-        assert asked.free_position(x, y) == World(arena, DEFAULT_ROBOT).obstacles.free_position(x, y)
+        assert asked.free_position(x, y) == World(arena, KOBUKI).obstacles.free_position(x, y)
     if movable:
         before = asked.free_position(1.05, 1.4)
         asked.drag(0, 1.0, 2.4, 0.0, (0.5, 0.5))

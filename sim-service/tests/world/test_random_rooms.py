@@ -24,7 +24,6 @@ from hypothesis import strategies as st
 from rosy_sim.robots.kobuki import KOBUKI
 from rosy_sim.robots.kobuki.facts import (
     CLIFF_POINTS,
-    CONTACT_GAP,
     INERTIA,
     MASS,
     MAX_ACCELERATION,
@@ -33,6 +32,7 @@ from rosy_sim.robots.kobuki.facts import (
     RADIUS,
     WHEEL_POINTS,
 )
+from rosy_sim.robots.shared.dimensions import CONTACT_GAP
 from rosy_sim.world.arena import ArenaError, Pose, read_arena
 from rosy_sim.world.events import Command, Lift, Move, Press, Side, Teleport, UserAction, velocity
 from rosy_sim.world.time_step import STEP

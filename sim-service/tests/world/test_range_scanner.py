@@ -11,8 +11,7 @@ from typing import Any
 import pytest
 
 from rosy_sim.robot_description import description
-from rosy_sim.robots import DEFAULT_ROBOT
-from rosy_sim.robots.kobuki import facts
+from rosy_sim.robots.kobuki import KOBUKI, facts
 from rosy_sim.world.arena import ArenaError, read_arena
 from rosy_sim.world.events import Move, Reading, Teleport, velocity
 from rosy_sim.world.field_readers import Pose
@@ -22,7 +21,7 @@ from rosy_sim.world.world import World
 
 def room(**more: Any) -> World:
     """A robot that looks along x, two metres from the wall ahead, in a room of four by four metres."""
-    return World(read_arena({"size": [4, 4], "start": {"x": 2, "y": 2}, **more}), DEFAULT_ROBOT)
+    return World(read_arena({"size": [4, 4], "start": {"x": 2, "y": 2}, **more}), KOBUKI)
 
 
 def measured(world: World, channel: str) -> list[tuple[float | int | str, ...]]:
@@ -57,7 +56,7 @@ def test_ahead_is_the_nearest_wall_or_thing_within_ten_degrees(things: dict[str,
 
 
 def test_ahead_is_the_longest_distance_that_the_scanner_measures_when_nothing_is_near() -> None:
-    assert ahead(World(read_arena({"size": [20, 20], "start": {"x": 10, "y": 10}}), DEFAULT_ROBOT)) == 3.5
+    assert ahead(World(read_arena({"size": [20, 20], "start": {"x": 10, "y": 10}}), KOBUKI)) == 3.5
 
 
 def test_ahead_turns_with_the_robot_and_follows_a_thing_that_is_moved() -> None:

@@ -19,6 +19,7 @@ import {
 import type {Notice, PageState} from "../../state/page_state.ts"
 import {tryToStore} from "../../storage/browser_storage.ts"
 import type {AppController} from "../../ui/app_context.ts"
+import {aboutRobot, usualRobot} from "../../worlds/world.ts"
 import type {PageParts} from "../document/page_parts.ts"
 import type {Origin, ProgramLoader} from "../programs/program_loader.ts"
 
@@ -188,13 +189,16 @@ export function storedLessons(storage: {readonly shared: Storage}): Pick<PageSta
   return {lessons: {...noLessons, progress, drafts: readDrafts(storage.shared.getItem(draftsKey))}}
 }
 
-/// The toolbox shows what the open lesson allows.
+/// The toolbox shows what the open lesson allows and the simulated robot has.
 export function restrictToolbox(store: Store, parts: PageParts): void {
   let shown: readonly string[] | null = null
-  store.onFrame(({lessons}) => {
+  let shownRobot = usualRobot
+  store.onFrame(({lessons, room, robots}) => {
     const wanted = lessons.open?.lesson.toolbox ?? null
-    if (wanted === shown || parts.blocks === null) return
+    const robot = robots.held === null && room.world !== null ? room.world.robot : usualRobot
+    if ((wanted === shown && robot === shownRobot) || parts.blocks === null) return
     shown = wanted
-    parts.blocks.restrict(wanted)
+    shownRobot = robot
+    parts.blocks.restrict(wanted, aboutRobot(robot).lacks)
   })
 }

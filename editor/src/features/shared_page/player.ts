@@ -69,7 +69,7 @@ function draw(): void {
   ctx.save()
   ctx.translate(moment.x, moment.y)
   ctx.rotate(moment.theta)
-  drawRobot(ctx, moment, palette, camera.scale)
+  drawRobot(ctx, moment, palette, camera.scale, film.world.robot)
   ctx.restore()
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0)
   if (moment.said !== null) {

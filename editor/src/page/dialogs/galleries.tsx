@@ -2,13 +2,14 @@
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import type {WorldEvent} from "../../state/page_events.ts"
 import type {Example} from "../../state/page_state.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {Dialog, TextWithCode} from "../../ui/controls.tsx"
 import {drawThumbnail} from "../../views/room/world_drawing.ts"
 import {words} from "../../words/index.ts"
 import {wordedText} from "../../words/worker_sentences.ts"
-import type {World} from "../../worlds/world.ts"
+import {aboutRobot, simulatedRobots, usualRobot, type World} from "../../worlds/world.ts"
 
 export function GalleryDialog(): VNode {
   return (
@@ -131,6 +132,7 @@ function Rooms(): VNode {
   )
   return (
     <>
+      <RobotChoice />
       {rooms === null ? <p class="quiet late">{words.world.roomsLoading}</p> : <Cards rooms={rooms} />}
       <p class="pair">
         {ask(words.world.change, () => store.dispatch({kind: "world-editor-opened"}))}
@@ -139,6 +141,38 @@ function Rooms(): VNode {
       </p>
     </>
   )
+}
+
+/// The robot in the room; a real robot takes its place.
+function RobotChoice(): VNode | null {
+  const {store} = useController()
+  const world = usePageState(s => (s.robots.held === null ? s.room.world : null))
+  if (world === null) return null
+  return (
+    <label class="pair">
+      {words.world.robot}
+      <select
+        value={world.robot}
+        onChange={event => {
+          const robot = simulatedRobots.find(name => name === event.currentTarget.value) ?? usualRobot
+          store.dispatch({kind: "world-taken", world: {...world, robot}})
+        }}
+      >
+        {simulatedRobots.map(name => (
+          <option key={name} value={name}>
+            {aboutRobot(name).title}
+          </option>
+        ))}
+      </select>
+    </label>
+  )
+}
+
+/// A robot that was chosen stays in the next room, if that has none of its own.
+function withRobotOf(chosen: World | null, room: World): WorldEvent {
+  const stays = chosen !== null && chosen.robot !== usualRobot && room.robot === usualRobot
+  if (!stays) return {kind: "world-chosen", world: room.name}
+  return {kind: "world-taken", world: {...room, robot: chosen.robot}}
 }
 
 function Cards({rooms}: {rooms: readonly World[]}): VNode {
@@ -157,7 +191,10 @@ function Cards({rooms}: {rooms: readonly World[]}): VNode {
           <Card
             room={room}
             chosen={room.name === chosen?.name}
-            choose={() => store.dispatch({kind: "world-chosen", world: room.name})}
+            choose={() => {
+              store.dispatch({kind: "dialog", dialog: null})
+              store.dispatch(withRobotOf(chosen, room))
+            }}
           />
         </li>
       ))}
@@ -176,6 +213,7 @@ function Card({room, chosen, choose}: {room: World; chosen: boolean; choose: () 
       <canvas ref={canvas} />
       <b>{nameOfRoom(room)}</b>
       {goal !== undefined && goal.title !== "" && <span>{wordedText(goal.title)}</span>}
+      {room.robot !== usualRobot && <span>{aboutRobot(room.robot).title}</span>}
     </button>
   )
 }

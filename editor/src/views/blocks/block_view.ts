@@ -2,7 +2,14 @@
 ///
 /// Blocks come in through `load`. Every change goes out through `onChange`, together with the inferred types. The view stores no program of its own.
 
-import type {BlockId, Inference, Level, SavedBlock} from "@rosy/codegen"
+import {
+  type BlockId,
+  type Inference,
+  type Level,
+  type SavedBlock,
+  usableWith,
+  withoutMissingParts,
+} from "@rosy/codegen"
 import * as Blockly from "blockly/core"
 import {toolboxOf} from "../../lesson_files/toolbox_words.ts"
 import {words} from "../../words/index.ts"
@@ -123,17 +130,23 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   }
 }
 
-/// What the toolbox shows: the level that the learner chose, or what a lesson allows. `changed` is called when that is something else.
+/// What the toolbox shows: the level that the learner chose, or what a lesson allows, without what the robot lacks. `changed` is called when that is something else.
 function toolboxChoice(options: BlocksOptions, changed: () => void) {
   // What a lesson allows of the toolbox; `null` without one.
   let allowed: readonly string[] | null = null
+  // What the robot of the room lacks.
+  let lacks: readonly string[] = []
   let level: Level = options.level ?? "reactions"
   const language: Language = {
     ...options.language,
     toolbox: level =>
-      allowed === null
-        ? options.language.toolbox(level)
-        : toolboxOf(options.language.toolbox("haskell"), allowed),
+      withoutMissingParts(
+        allowed === null
+          ? options.language.toolbox(level)
+          : toolboxOf(options.language.toolbox("haskell"), allowed),
+        lacks,
+      ),
+    libraryItems: () => options.language.libraryItems().filter(({block}) => usableWith(lacks)(block)),
   }
   return {
     language,
@@ -147,8 +160,9 @@ function toolboxChoice(options: BlocksOptions, changed: () => void) {
         options.onLevel?.(level)
       },
     },
-    restrict(words: readonly string[] | null) {
+    restrict(words: readonly string[] | null, missing: readonly string[]) {
       allowed = words
+      lacks = missing
       changed()
     },
   }

@@ -91,7 +91,8 @@ export interface BlocksView {
   setTone(tone: Tone): void
   setLevel(level: Level): void
   /// Shows only the blocks of these words in the toolbox (`lesson_files/toolbox_words.ts`); `null` for those of the level.
-  restrict(words: readonly string[] | null): void
+  /// Those that need a part which the robot lacks are left out: `missing` has the names of `robot.simulated`.
+  restrict(words: readonly string[] | null, missing: readonly string[]): void
   undo(): void
   redo(): void
   canUndo(): boolean

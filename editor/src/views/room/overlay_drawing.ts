@@ -4,7 +4,7 @@ import type {Trail} from "../../state/runs/room_state.ts"
 import {type Camera, toScreen} from "./camera.ts"
 import type {Overlay} from "./overlay.ts"
 import type {Palette} from "./palette.ts"
-import {robotRadius} from "./robot_drawing.ts"
+import {usualRadius} from "./robot_drawing.ts"
 import {trailUntil} from "./trail_segments.ts"
 
 /// Sizes on the screen, pixels: round dots with gaps between them.
@@ -23,6 +23,7 @@ export function drawOverlay(
   {trail, until, pose}: Overlay,
   palette: Palette,
   scale: number,
+  robotRadius: number,
 ): void {
   ctx.save()
   ctx.strokeStyle = palette.compared
@@ -81,7 +82,7 @@ export function drawRunNames(
   ctx.lineJoin = "round"
   ctx.lineWidth = 4
   ctx.strokeStyle = palette.floor
-  const away = robotRadius * camera.scale + labelDistance
+  const away = usualRadius * camera.scale + labelDistance
   const write = (text: string, point: {x: number; y: number}, colour: string, above: boolean) => {
     const {x, y} = toScreen(camera, point.x, point.y)
     ctx.textBaseline = above ? "bottom" : "top"

@@ -3,7 +3,6 @@
 import type {PathPoint, Preview} from "../../state/messages/preview.ts"
 import {placeAt} from "../../state/messages/preview.ts"
 import type {Palette} from "./palette.ts"
-import {robotRadius} from "./robot_drawing.ts"
 
 /// Sizes on the screen, pixels.
 const lineWidth = 3
@@ -20,6 +19,7 @@ export function drawPreview(
   current: boolean,
   palette: Palette,
   scale: number,
+  robotRadius: number,
 ): void {
   ctx.save()
   ctx.globalAlpha = current ? 1 : faded
@@ -33,7 +33,7 @@ export function drawPreview(
     if (place !== null)
       drawMark(ctx, place.x, place.y, goal.state === "done" ? "tick" : "cross", palette, scale)
   }
-  drawOutline(ctx, preview, palette, scale)
+  drawOutline(ctx, preview, palette, scale, robotRadius)
   ctx.restore()
 }
 
@@ -55,6 +55,7 @@ function drawOutline(
   {x, y, theta}: Preview,
   palette: Palette,
   scale: number,
+  robotRadius: number,
 ): void {
   ctx.save()
   ctx.translate(x, y)

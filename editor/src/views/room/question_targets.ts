@@ -2,6 +2,7 @@
 
 import {robot as robotTable} from "@rosy/codegen/robot"
 import type {Trail} from "../../state/runs/room_state.ts"
+import {aboutRobot, type SimulatedRobot, usualRobot} from "../../worlds/world.ts"
 import type {Pose} from "./poses.ts"
 
 /// `time` is in seconds of the run; `null` is the displayed moment.
@@ -22,16 +23,22 @@ export const pointerReach = 8
 export const fingerReach = 22
 
 /// m.
-const {radius, leds} = robotTable.body
+const {leds} = robotTable.simulated[robotTable.usual].body
 /// From the middle of an LED, m. It is drawn with half of this; the LEDs are 52 mm apart.
 const ledReach = 0.04
 
 /// The LED or else the robot where it is drawn, else the nearest point of the trail within `reach` metres: of points equally near the latest.
-export function targetAt(robot: Pose | null, trail: Trail, at: Spot, reach: number): QuestionTarget | null {
+export function targetAt(
+  robot: Pose | null,
+  trail: Trail,
+  at: Spot,
+  reach: number,
+  kind: SimulatedRobot = usualRobot,
+): QuestionTarget | null {
   const away = ({x, y}: Spot) => Math.hypot(x - at.x, y - at.y)
-  if (robot !== null && away(robot) < Math.max(radius, reach)) {
-    // From far away an LED is no target: it is smaller than what a pointer can mean.
-    if (ledReach < reach / 2) return {kind: "robot"}
+  if (robot !== null && away(robot) < Math.max(aboutRobot(kind).body.radius, reach)) {
+    // From far away an LED is no target: it is smaller than what a pointer can mean. Only the usual robot has them.
+    if (kind !== usualRobot || ledReach < reach / 2) return {kind: "robot"}
     const distances = leds.map(led => away(inRoom(robot, led)))
     const led = distances.indexOf(Math.min(...distances))
     if ((distances[led] ?? ledReach) < ledReach) return {kind: "led", command: led === 0 ? "Led1" : "Led2"}

@@ -4,32 +4,37 @@
 
 import {robot} from "@rosy/codegen/robot"
 import {isOn, numberAt, type Sensed} from "../../state/runs/channels.ts"
+import {aboutRobot, type SimulatedRobot, usualRobot} from "../../worlds/world.ts"
 import type {Palette} from "./palette.ts"
+import {drawBurger} from "./robots/burger_drawing.ts"
 
-/// Numbers of its description; metres in the base's frame.
-const {radius, wheelRadius, wheelWidth, buttons, leds} = robot.body
-const wheelOffset = robot.body.wheelbase / 2
+/// Numbers of the description of the usual robot; metres in the base's frame.
+const {body} = robot.simulated[robot.usual]
+const {radius, wheelRadius, wheelWidth, buttons, leds} = body
+const wheelOffset = body.wheelbase / 2
 /// Bumper zones in degrees, as [place, from, to]; a small gap lies between them.
-const bumperZones = robot.body.bumperBearings.map(
-  (bearing, place) =>
-    [place, bearing - robot.body.bumperHalfWidth, bearing + robot.body.bumperHalfWidth] as const,
+const bumperZones = body.bumperBearings.map(
+  (bearing, place) => [place, bearing - body.bumperHalfWidth, bearing + body.bumperHalfWidth] as const,
 )
 /// Cliff sensors, as [place, x, y].
-const cliffSensors = robot.body.cliffPoints.map(([x, y], place) => [place, x, y] as const)
-/// Beams that count as ahead, rad to either side.
-const halfAhead = (robot.body.aheadHalfWidth * Math.PI) / 180
+const cliffSensors = body.cliffPoints.map(([x, y], place) => [place, x, y] as const)
 /// Letters for the LEDs' colours; black has none.
 const ledLetters = ["", "G", "O", "R"]
 
-/// m.
-export const robotRadius = radius
+/// Of the usual robot, m.
+export const usualRadius = radius
 
 export function drawRobot(
   ctx: CanvasRenderingContext2D,
   frame: Sensed,
   palette: Palette,
   scale: number,
+  robot: SimulatedRobot = usualRobot,
 ): void {
+  if (robot === "turtlebot3") {
+    drawBurger(ctx, frame, palette)
+    return
+  }
   const lights = ledPlaces(scale).map(
     ([x, y], i) => ({x, y, value: numberAt(frame, i === 0 ? "Led1" : "Led2")}) as const,
   )
@@ -62,7 +67,13 @@ export function drawBeams(
   frame: Sensed,
   palette: Palette,
   scale: number,
+  robot: SimulatedRobot,
 ): void {
+  const {body} = aboutRobot(robot)
+  ctx.save()
+  ctx.translate("scannerForwards" in body ? body.scannerForwards : 0, 0)
+  // Beams that count as ahead, rad to either side.
+  const halfAhead = (body.aheadHalfWidth * Math.PI) / 180
   const ahead = frame.channels["Ahead"]?.[0]
   if (typeof ahead === "number") {
     ctx.beginPath()
@@ -74,7 +85,7 @@ export function drawBeams(
     ctx.fill()
     ctx.globalAlpha = 1
     // What was met; the end of the sensor's range is open.
-    if (ahead < robot.body.scannerFarthest) {
+    if (ahead < body.scannerFarthest) {
       ctx.beginPath()
       ctx.arc(0, 0, ahead, -halfAhead, halfAhead)
       ctx.lineWidth = 2 / scale
@@ -83,6 +94,16 @@ export function drawBeams(
     }
   }
   const points = scanPoints(frame)
+  // The rays are faint, so that the room stays in sight.
+  ctx.strokeStyle = palette.preview
+  ctx.globalAlpha = 0.12
+  ctx.lineWidth = 1 / scale
+  ctx.beginPath()
+  for (const [x, y] of points) {
+    ctx.moveTo(0, 0)
+    ctx.lineTo(x, y)
+  }
+  ctx.stroke()
   ctx.fillStyle = palette.preview
   ctx.globalAlpha = 0.8
   for (const [x, y] of points) {
@@ -90,7 +111,7 @@ export function drawBeams(
     ctx.arc(x, y, 1.5 / scale, 0, 2 * Math.PI)
     ctx.fill()
   }
-  ctx.globalAlpha = 1
+  ctx.restore()
 }
 
 /// Where the beams of the last scan met something, in the robot's frame.
@@ -105,7 +126,12 @@ export function scanPoints(frame: Sensed): readonly (readonly [number, number])[
 }
 
 /// Where the robot believes it is: an outline with its heading.
-export function drawGhost(ctx: CanvasRenderingContext2D, palette: Palette, scale: number): void {
+export function drawGhost(
+  ctx: CanvasRenderingContext2D,
+  palette: Palette,
+  scale: number,
+  radius: number,
+): void {
   ctx.strokeStyle = palette.wall
   ctx.lineWidth = 1.5 / scale
   ctx.setLineDash([5 / scale, 4 / scale])

@@ -10,7 +10,7 @@ import {
   type TrailStyle,
   type Words,
 } from "../../state/runs/room_state.ts"
-import type {World} from "../../worlds/world.ts"
+import {robotRadius, type World} from "../../worlds/world.ts"
 import {type Layer, openLayer} from "./cached_layer.ts"
 import {toScreen, Viewport} from "./camera.ts"
 import {handleOf} from "./gestures.ts"
@@ -94,7 +94,7 @@ export class RoomPicture {
     if (!this.canAsk) return null
     if (this.bubble !== null && isWithin(this.bubble.box, toScreen(this.viewport.camera, at.x, at.y)))
       return {kind: "speech", ...this.bubble.words}
-    return targetAt(this.robot, this.trail, at, reach)
+    return targetAt(this.robot, this.trail, at, reach, this.viewport.world?.robot)
   }
 
   /// As `RoomView.draw`.
@@ -131,15 +131,16 @@ export class RoomPicture {
     const {scale} = viewport.camera
     const preview = shownPreview(room.preview)
     viewport.inMetres(ctx)
-    if (preview !== null) drawPreview(ctx, preview.preview, preview.current, palette, scale)
-    if (overlay !== null) drawOverlay(ctx, overlay, palette, scale)
+    if (preview !== null)
+      drawPreview(ctx, preview.preview, preview.current, palette, scale, robotRadius(world))
+    if (overlay !== null) drawOverlay(ctx, overlay, palette, scale, robotRadius(world))
     this.path.draw(ctx, room, sight.trail, pose)
     // Over the trail, which would hide a line as thin as itself.
     this.ink.draw(ctx, room.ink, room.lookedAt)
     viewport.inMetres(ctx)
     this.things = movableObjectsOf(world, frame?.boxes ?? [])
     drawObjects(ctx, world, frame?.boxes ?? [], palette, scale)
-    this.drawRobots(frame, pose)
+    this.drawRobots(frame, pose, world)
     if (this.hands.able) drawHands(ctx, this.hands, pose, this.things, palette, scale)
     viewport.inPixels(ctx)
     if (overlay !== null)
@@ -159,13 +160,13 @@ export class RoomPicture {
   }
 
   /// The robot with what its scanner measured, and where it believes it is.
-  private drawRobots(frame: Frame | null, {x, y, theta}: Pose): void {
+  private drawRobots(frame: Frame | null, {x, y, theta}: Pose, world: World): void {
     const {ctx, palette} = this
     const {scale} = this.viewport.camera
     if (frame !== null && frame.ghost !== null)
-      drawAt(ctx, ...frame.ghost, () => drawGhost(ctx, palette, scale))
-    if (frame !== null) drawAt(ctx, x, y, theta, () => drawBeams(ctx, frame, palette, scale))
-    drawAt(ctx, x, y, theta, () => drawRobot(ctx, frame ?? parked, palette, scale))
+      drawAt(ctx, ...frame.ghost, () => drawGhost(ctx, palette, scale, robotRadius(world)))
+    if (frame !== null) drawAt(ctx, x, y, theta, () => drawBeams(ctx, frame, palette, scale, world.robot))
+    drawAt(ctx, x, y, theta, () => drawRobot(ctx, frame ?? parked, palette, scale, world.robot))
   }
 
   private drawSpeech(words: Words | null, robot: Pose): void {

@@ -1,11 +1,11 @@
 /// Drawing of the static world: floor, grid, holes, walls, objects, goals; and thumbnails of a room. In metres; the context is already scaled.
 
 import type {Ink} from "../../state/runs/ink.ts"
-import {type Pose, placesOf, robotRadius, type World, wallThickness} from "../../worlds/world.ts"
+import {type Pose, placesOf, type World, wallThickness} from "../../worlds/world.ts"
 import {cornerOf, lookAt, viewOfPath} from "./camera.ts"
 import {type Palette, readPalette} from "./palette.ts"
 import {drawMark} from "./preview_drawing.ts"
-import {drawRobot} from "./robot_drawing.ts"
+import {drawRobot, usualRadius} from "./robot_drawing.ts"
 import {drawInk} from "./trail_drawing.ts"
 
 export function drawWorld(
@@ -118,14 +118,14 @@ function drawDock(ctx: CanvasRenderingContext2D, dock: Pose, palette: Palette, s
   ctx.strokeStyle = palette.wall
   ctx.fillStyle = palette.solid
   ctx.beginPath()
-  ctx.roundRect(robotRadius, -0.12, 0.08, 0.24, 0.02)
+  ctx.roundRect(usualRadius, -0.12, 0.08, 0.24, 0.02)
   ctx.fill()
   ctx.beginPath()
   for (const y of [-0.04, 0.04]) {
-    ctx.moveTo(robotRadius, y)
-    ctx.lineTo(robotRadius - 0.05, y)
+    ctx.moveTo(usualRadius, y)
+    ctx.lineTo(usualRadius - 0.05, y)
   }
-  ctx.arc(0, 0, robotRadius, -0.5, 0.5)
+  ctx.arc(0, 0, usualRadius, -0.5, 0.5)
   ctx.stroke()
   ctx.restore()
 }
@@ -307,7 +307,7 @@ export function drawThumbnail(
   for (const [x, y] of bumps) drawMark(ctx, x, y, "cross", palette, camera.scale)
   ctx.translate(world.start.x, world.start.y)
   ctx.rotate(world.start.theta)
-  const larger = Math.max(1, leastRobot / (robotRadius * camera.scale))
+  const larger = Math.max(1, leastRobot / (usualRadius * camera.scale))
   ctx.scale(larger, larger)
-  drawRobot(ctx, parked, palette, camera.scale * larger)
+  drawRobot(ctx, parked, palette, camera.scale * larger, world.robot)
 }

@@ -10,6 +10,7 @@ const place = ([x, y]: Spot) => `${metres(x)} / ${metres(y)}`
 export const world: Words["world"] = {
   rooms: "Räume",
   roomsLead: "Wähle, wo der Roboter fährt. Dein Programm bleibt, wie es ist.",
+  robot: "Roboter",
   roomsLoading: "Die Räume werden gesucht …",
   choose: name => `Raum zum Fahren: ${name}`,
   change: "Diesen Raum ändern",

@@ -9,6 +9,7 @@ const place = ([x, y]: Spot) => `${metres(x)}, ${metres(y)}`
 export const world = {
   rooms: "Rooms",
   roomsLead: "Choose where the robot drives. Your program stays as it is.",
+  robot: "Robot",
   roomsLoading: "Looking for the rooms…",
   choose: (name: string) => `Room to drive in: ${name}`,
   change: "Change this room",

@@ -10,6 +10,7 @@ const place = ([x, y]: Spot) => `${metres(x)}; ${metres(y)}`
 export const world: Words["world"] = {
   rooms: "Salas",
   roomsLead: "Elige dónde se mueve el robot. Tu programa se queda como está.",
+  robot: "Robot",
   roomsLoading: "Buscando las salas…",
   choose: name => `Sala del robot: ${name}`,
   change: "Cambiar esta sala",

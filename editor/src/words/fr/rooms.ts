@@ -10,6 +10,7 @@ const place = ([x, y]: Spot) => `${metres(x)} / ${metres(y)}`
 export const world: Words["world"] = {
   rooms: "Salles",
   roomsLead: "Choisis où le robot roule. Ton programme reste comme il est.",
+  robot: "Robot",
   roomsLoading: "Recherche des salles…",
   choose: name => `Salle où rouler : ${name}`,
   change: "Modifier cette salle",

@@ -10,6 +10,7 @@ const place = ([x, y]: Spot) => `${metres(x)} / ${metres(y)}`
 export const world: Words["world"] = {
   rooms: "Salas",
   roomsLead: "Escolha onde o robô anda. O seu programa fica como está.",
+  robot: "Robô",
   roomsLoading: "Procurando as salas…",
   choose: name => `Sala para andar: ${name}`,
   change: "Mudar esta sala",

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from ...world.events import Reading
-from ...world.robot import Body, MotorLimits, Robot, ScannerModel
-from ...world.time_step import STEPS_PER_SECOND
-from . import facts
+from ...world.robot import Robot
+from ..shared.dimensions import body_of, limits_of, scanner_of
+from ..shared.gyroscope import Gyroscope
 from .connector import Connector
 from .dock_receivers import DockReceivers
-from .gyroscope import Gyroscope
 from .line_sensor import LineSensor
 from .power import Power
 from .sensors import bumper_bits, cliff_bits, edges, hanging_wheels, states
@@ -17,16 +16,8 @@ __all__ = ["KOBUKI"]
 
 KOBUKI = Robot(
     name="kobuki",
-    body=Body(facts.RADIUS, facts.MASS, facts.INERTIA, facts.WHEELBASE, facts.CONTACT_GAP),
-    limits=MotorLimits(
-        speed=facts.MAX_SPEED,
-        angular_speed=facts.MAX_ANGULAR_SPEED,
-        wheel_speed=facts.MAX_WHEEL_SPEED,
-        wheelbase=facts.WHEELBASE,
-        acceleration=facts.MAX_ACCELERATION,
-        angular_acceleration=facts.MAX_ANGULAR_ACCELERATION,
-        command_timeout=facts.COMMAND_TIMEOUT,
-    ),
+    body=body_of("kobuki"),
+    limits=limits_of("kobuki"),
     online=Reading("RobotStatus", (1,)),
     bumpers=bumper_bits,
     cliffs=cliff_bits,
@@ -44,11 +35,5 @@ KOBUKI = Robot(
     },
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector, LineSensor),
-    scanner=ScannerModel(
-        beams=facts.SCANNER_BEAMS,
-        nearest=facts.SCANNER_NEAREST,
-        farthest=facts.SCANNER_FARTHEST,
-        period=round(facts.SCANNER_PERIOD * STEPS_PER_SECOND),
-        ahead=facts.AHEAD_HALF_WIDTH,
-    ),
+    scanner=scanner_of("kobuki"),
 )

@@ -13,7 +13,6 @@ __all__ = [
     "BUMPER_HALF_WIDTH",
     "CLIFF_POINTS",
     "COMMAND_TIMEOUT",
-    "CONTACT_GAP",
     "INERTIA",
     "LINE_DETECTORS",
     "MASS",
@@ -23,10 +22,6 @@ __all__ = [
     "MAX_SPEED",
     "MAX_WHEEL_SPEED",
     "RADIUS",
-    "SCANNER_BEAMS",
-    "SCANNER_FARTHEST",
-    "SCANNER_NEAREST",
-    "SCANNER_PERIOD",
     "WHEELBASE",
     "WHEEL_POINTS",
 ]
@@ -75,10 +70,6 @@ BUMPER_BEARINGS: tuple[float, ...] = tuple(math.radians(degrees) for degrees in 
 BUMPER_HALF_WIDTH: float = math.radians(_BODY["bumperHalfWidth"])
 """Half a bumper zone, rad. A contact on a border presses both sides of it."""
 
-CONTACT_GAP = 0.001
-"""A thing nearer to the body than this presses the bumper, m. Our choice: the ring's travel
-is a few millimetres, and the physics keeps bodies apart to a tenth of one."""
-
 CLIFF_POINTS = _points(_BODY["cliffPoints"])
 """Left, centre and right cliff sensor in the robot frame, m."""
 
@@ -87,18 +78,6 @@ LINE_DETECTORS = _points(_BODY["lineDetectors"])
 
 WHEEL_POINTS = _points(_BODY["wheelPoints"])
 """Where the left and right wheel touch the floor, m."""
-
-SCANNER_BEAMS: int = _BODY["scannerBeams"]
-"""Beams of the laser scanner that the simulated robot carries, evenly spread."""
-
-SCANNER_NEAREST: float = _BODY["scannerNearest"]
-"""Shortest distance that it can measure, m."""
-
-SCANNER_FARTHEST: float = _BODY["scannerFarthest"]
-"""Longest distance that it can measure, m."""
-
-SCANNER_PERIOD: float = _BODY["scannerPeriod"]
-"""Time of a turn, s."""
 
 AHEAD_HALF_WIDTH: float = math.radians(_BODY["aheadHalfWidth"])
 """Beams at most this far from straight ahead count for ``Ahead``, rad."""

@@ -13,6 +13,7 @@ from functools import cache
 from ...world.arena import Arena
 from ...world.events import Reading
 from ...world.robot import SensorBits
+from ..shared.places import append_edge, over_hole
 from .facts import BUMPER_BEARINGS, BUMPER_HALF_WIDTH, CLIFF_POINTS, WHEEL_POINTS
 
 __all__ = ["bumper_bits", "cliff_bits", "edges", "hanging_wheels", "states", "wrapped"]
@@ -43,28 +44,12 @@ def bumper_bits(contacts: Iterable[float], theta: float) -> int:
 
 def cliff_bits(arena: Arena, x: float, y: float, theta: float) -> int:
     """Which cliff sensors look into a hole."""
-    return _over_hole(arena, x, y, theta, CLIFF_POINTS, _SIDE_BITS)
+    return over_hole(arena, x, y, theta, CLIFF_POINTS, _SIDE_BITS)
 
 
 def hanging_wheels(arena: Arena, x: float, y: float, theta: float) -> int:
     """Which wheels have no floor under them."""
-    return _over_hole(arena, x, y, theta, WHEEL_POINTS, _WHEEL_BITS)
-
-
-def _over_hole(
-    arena: Arena,
-    x: float,
-    y: float,
-    theta: float,
-    points: tuple[tuple[float, float], ...],
-    weights: tuple[int, ...],
-) -> int:
-    c, s = math.cos(theta), math.sin(theta)
-    bits = 0
-    for (px, py), bit in zip(points, weights, strict=True):
-        if arena.is_hole(x + c * px - s * py, y + s * px + c * py):
-            bits |= bit
-    return bits
+    return over_hole(arena, x, y, theta, WHEEL_POINTS, _WHEEL_BITS)
 
 
 @cache
@@ -84,16 +69,11 @@ def edges(before: SensorBits, now: SensorBits) -> list[Reading]:
         return []
     events: list[Reading] = []
     for bit in (0, 1, 2):
-        _edge(events, "Button", bit, before.buttons, now.buttons, _BUTTON_BITS[bit])
+        append_edge(events, "Button", bit, before.buttons, now.buttons, _BUTTON_BITS[bit])
     for which in (0, 1, 2):
-        _edge(events, "Bumper", which, before.bumpers, now.bumpers, _SIDE_BITS[which])
+        append_edge(events, "Bumper", which, before.bumpers, now.bumpers, _SIDE_BITS[which])
     for which in (0, 1, 2):
-        _edge(events, "Cliff", which, before.cliffs, now.cliffs, _SIDE_BITS[which])
+        append_edge(events, "Cliff", which, before.cliffs, now.cliffs, _SIDE_BITS[which])
     for which in (0, 1):
-        _edge(events, "Wheel", which, before.wheels, now.wheels, _WHEEL_BITS[which])
+        append_edge(events, "Wheel", which, before.wheels, now.wheels, _WHEEL_BITS[which])
     return events
-
-
-def _edge(events: list[Reading], channel: str, which: int, before: int, now: int, bit: int) -> None:
-    if (before ^ now) & bit:
-        events.append(Reading(channel, (which, 1 if now & bit else 0)))

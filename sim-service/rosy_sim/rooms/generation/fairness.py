@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import Any
 
-from ...robots import DEFAULT_ROBOT
+from ...robots import robot_in
 from ...world.arena import Arena, ArenaError, read_arena
 from ...world.floor_grid import FloorGrid
 from ...world.goals import Reach, Visit
@@ -22,10 +22,10 @@ def is_fair(world: dict[str, Any], margin: float = MARGIN) -> bool:
     """Whether the start is free and each place of a goal can be reached, past obstacles and holes."""
     try:
         arena = read_arena(world)
-        World(arena, DEFAULT_ROBOT)
+        World(arena, robot_in(arena))
     except ArenaError:
         return False
-    grid = FloorGrid(arena, DEFAULT_ROBOT.body.radius, margin)
+    grid = FloorGrid(arena, robot_in(arena).body.radius, margin)
     reachable = grid.distances(arena.start.x, arena.start.y)
     centres = [grid.centre(cell) for cell in reachable]
     return all(any(math.dist(centre, (x, y)) <= r for centre in centres) for x, y, r in _places(arena))
@@ -43,7 +43,7 @@ def _places(arena: Arena) -> Iterable[tuple[float, float, float]]:
 def far_place(world: dict[str, Any], margin: float = MARGIN) -> tuple[float, float] | None:
     """The position that is farthest from the start along free floor; None when the robot cannot leave its start."""
     arena = read_arena(world)
-    grid = FloorGrid(arena, DEFAULT_ROBOT.body.radius, margin)
+    grid = FloorGrid(arena, robot_in(arena).body.radius, margin)
     reachable = grid.distances(arena.start.x, arena.start.y)
     if not reachable:
         return None

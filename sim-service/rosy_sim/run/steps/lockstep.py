@@ -90,7 +90,7 @@ class Lockstep:
         self.ended: Ended | None = None
         # Whether the program uses the mailbox that it was given.
         self.uses_mailbox = False
-        self._guard = VelocityGuard(safety)
+        self._guard = VelocityGuard(safety, world.robot.limits)
         # The latest values of the channels on topics that the program takes itself.
         self._latest: dict[str, Values] = {}
         # What every quiet step has settled with.

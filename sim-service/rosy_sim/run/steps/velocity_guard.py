@@ -11,9 +11,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from ...robots import DEFAULT_ROBOT
 from ...world.events import Reading
 from ...world.motor_controller import clamp
+from ...world.robot import MotorLimits
 
 __all__ = ["OFF", "SafetySettings", "Velocity", "VelocityGuard"]
 
@@ -41,11 +41,14 @@ _LEFT, _CENTER, _RIGHT = 0, 1, 2
 
 @dataclass(frozen=True, slots=True)
 class SafetySettings:
-    """Whether the safety rules are on, and the fastest that a program may drive while they are, m/s and rad/s."""
+    """
+    Whether the safety rules are on, and the fastest that a program may drive while they are, m/s and rad/s; None for as
+    fast as the robot can.
+    """
 
     on: bool = False
-    max_speed: float = DEFAULT_ROBOT.limits.speed
-    max_turn: float = DEFAULT_ROBOT.limits.angular_speed
+    max_speed: float | None = None
+    max_turn: float | None = None
 
 
 OFF = SafetySettings()
@@ -53,10 +56,11 @@ OFF = SafetySettings()
 
 
 class VelocityGuard:
-    """Of one run."""
+    """Of one run; ``limits`` are those of the robot's motors."""
 
-    def __init__(self, settings: SafetySettings) -> None:
+    def __init__(self, settings: SafetySettings, limits: MotorLimits) -> None:
         self._settings = settings
+        self._limits = limits
         # Sensors that touch something, also while the rules are off: ("Bumper", 0).
         self._contacts: set[tuple[str, int]] = set()
         # Until when the rules override the program, s; None while they do not.
@@ -82,9 +86,10 @@ class VelocityGuard:
         """What the base is told when the program commands a velocity at ``time`` s."""
         settings = self._settings
         if settings.on:
-            linear, angular = DEFAULT_ROBOT.limits.within_wheels(
-                _limited(settings.max_speed, linear), _limited(settings.max_turn, angular)
-            )
+            limits = self._limits
+            max_speed = limits.speed if settings.max_speed is None else settings.max_speed
+            max_turn = limits.angular_speed if settings.max_turn is None else settings.max_turn
+            linear, angular = limits.within_wheels(_limited(max_speed, linear), _limited(max_turn, angular))
         self._latest = (linear, angular)
         if self._overrides_until is not None and time < self._overrides_until - _ROUNDING:
             return None

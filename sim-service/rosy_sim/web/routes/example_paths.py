@@ -19,13 +19,12 @@ from ...accounting.fair_queue import FairQueue
 from ...config import Limits
 from ...errors import BadInput, RosyError
 from ...programs.program_file import read_program
-from ...robots import DEFAULT_ROBOT
 from ...run.headless_run import RunOutput, RunSettings, run_over_link
 from ...sentences.sentence import tr
 from ...wire.worker import Started
 from ...worker.supervisor import RunningProgram, WorkerSupervisor
 from ...world.world import World
-from ...worlds.gallery import DEFAULT_WORLD, named_world, usable_arena
+from ...worlds.gallery import DEFAULT_WORLD, named_world, usable_world
 from .examples import example_file
 
 __all__ = ["ExamplePaths", "PathRecorder"]
@@ -85,7 +84,7 @@ class ExamplePaths:
             program = read_program(file)
             value = program.world if program.world is not None else DEFAULT_WORLD
             json = named_world(value) if isinstance(value, str) else value
-            world = World(usable_arena(json, name), DEFAULT_ROBOT, _SEED)
+            world = usable_world(json, name, _SEED)
             found = {"world": json, "path": await self._drive(program.source, world)}
             self._known[name] = (changed, found)
             return found

@@ -12,11 +12,12 @@ import random
 from dataclasses import replace
 
 from ...errors import BadInput
+from ...explain.why_not import RobotLimits
 from ...ownership.robot_ownership import RobotOwnership
 from ...ownership.robot_run import RobotRun
 from ...recordings.recorded_run import RecordedRun
 from ...recordings.recording_stream import RecordingStream
-from ...robots import DEFAULT_ROBOT
+from ...robots import robot_in
 from ...run.page_run import PageRun
 from ...run.simulated_run import SimulatedRun
 from ...run.step_display import Simulation
@@ -117,14 +118,16 @@ class PageRuns:
             return
         self.view.origin = built.arena.start
         seed = _seed_of(request)
-        usual, most = DEFAULT_ROBOT.limits, ownership.limits
+        robot = robot_in(built.arena)
+        usual, most = robot.limits, ownership.limits
         # They are 0 until the robot process has told them.
         limits = replace(usual, speed=most.speed or usual.speed, angular_speed=most.turn or usual.angular_speed)
-        room = built.with_robot(seed, replace(DEFAULT_ROBOT, limits=limits))
+        room = built.with_robot(seed, replace(robot, limits=limits))
         self.twin.prepare(request, request.twin, room, seed)
 
     def _start_simulated(self, request: page.Run, built: BuiltRoom) -> None:
-        self.explanations.start(request.run, request.source)
+        limits = robot_in(built.arena).limits
+        self.explanations.start(request.run, request.source, RobotLimits.of_motors(limits))
         robot, safety = self.simulator, self.safety
         if request.after is not None:
             try:
@@ -162,8 +165,8 @@ class PageRuns:
         details = stream.heading.details
         self._outbox.put(page.ReplayBegun(request.run, details.program, details.name))
         explanations = self.explanations
-        explanations.start(request.run, details.program)
         robot = self.simulator
+        explanations.start(request.run, details.program, RobotLimits.of_motors(robot.world.robot.limits))
         view = PageView(self._outbox, robot.room, self._services.frame_rate, self._now, explanations.on_branches)
         view.run = request.run
         view.shows_firings = self.view.shows_firings

@@ -11,6 +11,7 @@ from collections.abc import Callable
 
 import msgspec
 
+from ...explain.why_not import RobotLimits
 from ...run.page_run import PageRun
 from ...run.simulated_run import SimulatedRun
 from ...run.step_display import Simulation
@@ -60,7 +61,7 @@ class PageTwin:
         view.run = twin
 
         def start(safety: SafetySettings) -> None:
-            explanations.start(twin, request.source)
+            explanations.start(twin, request.source, RobotLimits.of_motors(room.world.robot.limits))
             simulation = Simulation(
                 room.world,
                 seed,

@@ -4,6 +4,7 @@ Explanations of the runs of a page: records a run while the page observes it, an
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
@@ -25,7 +26,6 @@ from ...explain.recorded_step import StepContent, ToldContent, commands_of_step
 from ...explain.untaken_branch import branch_at
 from ...explain.why import Link
 from ...explain.why_not import FunctionType, RobotLimits, Window
-from ...robots import DEFAULT_ROBOT
 from ...run.steps.lockstep import Lockstep
 from ...wire import page
 from ...wire.explanation import Sentence
@@ -41,7 +41,8 @@ __all__ = ["MOST_FIRINGS", "RunExplanations"]
 MOST_FIRINGS = 20_000
 """Firings that are kept of a run: six minutes of a program that fires 50 times a second, 20 MB. A choice of ours."""
 
-LIMITS = RobotLimits(DEFAULT_ROBOT.limits.speed, DEFAULT_ROBOT.limits.angular_speed)
+_NO_LIMITS = RobotLimits(math.inf, math.inf)
+"""Before the first run."""
 
 
 @dataclass(slots=True)
@@ -55,7 +56,7 @@ class _Explained:
     graph: msgspec.Raw | None = None
     # Whether a step of the run has passed.
     has_begun: bool = False
-    limits: RobotLimits = LIMITS
+    limits: RobotLimits = _NO_LIMITS
     # Between which the functions of the program choose; none until it has begun.
     branches: list[Branch] = field(default_factory=list)
 
@@ -81,7 +82,7 @@ class RunExplanations:
         if source == self._latest.source:
             self._latest.graph = checked.graph
 
-    def start(self, run: int, source: str, limits: RobotLimits = LIMITS) -> None:
+    def start(self, run: int, source: str, limits: RobotLimits) -> None:
         """A run begins, on a robot with these limits."""
         before = self._latest
         if before.record is not None:

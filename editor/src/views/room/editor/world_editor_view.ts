@@ -75,7 +75,7 @@ export function openWorldEditor(canvas: HTMLCanvasElement, listener: WorldEditor
       ctx.save()
       ctx.translate(world.start.x, world.start.y)
       ctx.rotate(world.start.theta)
-      drawRobot(ctx, parked, palette, camera.scale)
+      drawRobot(ctx, parked, palette, camera.scale, world.robot)
       ctx.restore()
       if (editor.chosen !== null) drawChosen(ctx, world, editor.chosen, palette, camera.scale)
       if (editor.aim !== null) drawAim(ctx, editor.aim, palette, camera.scale)

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ....robots import DEFAULT_ROBOT
+from ....robots import robot_in
 from ....sentences.sentence import tr
 from ....world.arena import Arena, read_arena
 from ....world.obstacles import Obstacles
@@ -28,19 +28,19 @@ class BuiltRoom:
     arena: Arena
     obstacles: Obstacles
 
-    def with_robot(self, seed: int = 0, robot: Robot = DEFAULT_ROBOT) -> Room:
+    def with_robot(self, seed: int = 0, robot: Robot | None = None) -> Room:
         """
         The room as it is before a run; once, for a run moves the obstacles.
 
         Args:
             seed: of the world.
-            robot: the usual one, perhaps with other limits.
+            robot: that of the room with other limits, if they are others.
 
         Raises:
             BadInput: the robot cannot stand at the start.
         """
         with refusing_worlds(tr("This")):
-            return Room(self.json, World(self.arena, robot, seed, self.obstacles))
+            return Room(self.json, World(self.arena, robot or robot_in(self.arena), seed, self.obstacles))
 
 
 async def build_room(wanted: object, turns: PageTurns) -> BuiltRoom:
@@ -64,6 +64,6 @@ async def rebuild_room(room: Room, turns: PageTurns) -> BuiltRoom:
 
 
 async def _build_obstacles(arena: Arena, turns: PageTurns) -> Obstacles:
-    obstacles = Obstacles(DEFAULT_ROBOT.body)
+    obstacles = Obstacles(robot_in(arena).body)
     await turns.complete(obstacles.add(arena))
     return obstacles

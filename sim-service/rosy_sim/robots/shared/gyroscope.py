@@ -1,4 +1,4 @@
-"""Gyroscope of Kobuki: the turn rate, which is also the one that its odometry reports."""
+"""Gyroscope: the turn rate, which is also the one that the odometry of the robot reports."""
 
 from __future__ import annotations
 

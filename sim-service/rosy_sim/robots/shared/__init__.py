@@ -1,0 +1,1 @@
+"""Parts that several robots have, and the reader of their dimensions."""
