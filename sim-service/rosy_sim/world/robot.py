@@ -8,9 +8,10 @@ The world takes one as an argument and knows no robot by name; ``robots/<name>``
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple, Protocol, runtime_checkable
 
+from .action_goals import ActionDrive
 from .arena import Arena
 from .events import Reading
 
@@ -104,6 +105,10 @@ class Surroundings(Protocol):
     outputs: dict[str, tuple[float | int | str, ...]]
 
     @property
+    def has_contacts(self) -> bool:
+        """Whether the robot touches anything."""
+
+    @property
     def turn_rate(self) -> float:
         """The turn rate that the robot's own sensors estimate, rad/s."""
 
@@ -153,5 +158,7 @@ class Robot:
     motor_switch: str | None = None
     # What else is built in: each is made for a room.
     devices: tuple[Callable[[Arena], Device], ...] = ()
+    # The goals that its own programs pursue, by the name of the action.
+    actions: Mapping[str, Callable[[], ActionDrive]] = field(default_factory=dict)
     # Its laser scanner; None when it can have none.
     scanner: ScannerModel | None = None

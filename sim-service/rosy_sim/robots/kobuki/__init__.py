@@ -7,6 +7,7 @@ from ...world.robot import Body, MotorLimits, Robot, ScannerModel
 from ...world.time_step import STEPS_PER_SECOND
 from . import facts
 from .connector import Connector
+from .dock_drive import DOCK_ACTION, DockDrive
 from .dock_receivers import DockReceivers
 from .gyroscope import Gyroscope
 from .power import Power
@@ -35,6 +36,7 @@ KOBUKI = Robot(
     outputs={"Led1": (0,), "Led2": (0,), "ExternalPower": (1, 1, 1, 1), "MotorPower": (1,)},
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector),
+    actions={DOCK_ACTION: DockDrive},
     scanner=ScannerModel(
         beams=facts.SCANNER_BEAMS,
         nearest=facts.SCANNER_NEAREST,

@@ -14,7 +14,8 @@ from ....wire.channels import Values
 from ....wire.ros.ros_messages import completed
 from ....wire.ros.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
 from ....wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
-from ....world.events import Command, Reading
+from ....world.action_goals import ActionGoals
+from ....world.events import Command, GiveGoal, Reading, TakeBackGoal
 from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
@@ -84,14 +85,22 @@ class RosBridge:
         self._clients.discard(client)
         self._forward(client.protocol.leave())
 
-    def receive(self, client: RosClient, text: str | bytes, now: float) -> list[Command | TopicMessage]:
-        """Serve a message; returns the commands in it, and the messages for others."""
+    def receive(
+        self, client: RosClient, text: str | bytes, now: float
+    ) -> list[Command | TopicMessage | GiveGoal | TakeBackGoal]:
+        """Serve a message; returns the commands and goals in it, and the messages for others."""
         reply = client.protocol.receive(text, now)
         client.put(reply.texts)
         self._forward(reply)
         for message in reply.commanded:
             self._post_completed(message, now)
-        return reply.commands
+        return [*reply.commands, *reply.goals]
+
+    def post_replies(self, actions: ActionGoals) -> None:
+        """Send to the clients how their goals get on."""
+        for client in self._clients:
+            for reply in actions.take_replies(client.protocol.name):
+                client.put(client.protocol.deliver_reply(reply))
 
     def post_command(self, command: Command, now: float) -> None:
         """Send a command of the program to the clients that have subscribed to its topic."""
