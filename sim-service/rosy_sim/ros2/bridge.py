@@ -3,9 +3,9 @@ Bridge between ROS 2 and the rosbridge protocol v2, for the clients of one compu
 
 In and out: frames of clients on a WebSocket, messages on DDS or Zenoh. It serves `advertise`, `unadvertise`, `publish`,
 `subscribe`, `unsubscribe` and `call_service` without an answer, and of rosapi what is asked of a graph; a goal for an
-action, and a call that waits for its answer, are answered with the reason why they are not carried out. The quality of service follows
-what the other side offers, whenever that changes. A velocity is sent in the type that the robot reads, Twist or
-TwistStamped, whichever the client says.
+action, and a call that waits for its answer, are answered with the reason why they are not carried out. The quality of
+service follows what the other side offers, whenever that changes. A velocity is sent in the type that the robot reads,
+Twist or TwistStamped, whichever the client says.
 
 A robot whose client is gone or silent, or whose bridge was away for half a second, is stopped; the guardian does the
 same when the bridge ends.

@@ -8,7 +8,7 @@ does. The numbers of the states are those of action_msgs, msg/GoalStatus.msg.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
 
@@ -81,6 +81,15 @@ class ActionGoals:
         self._actions = actions
         self._pursued: _Pursued | None = None
         self._replies: dict[str, list[ActionReply]] = {}
+
+    @property
+    def names(self) -> Collection[str]:
+        """The actions that there are."""
+        return self._actions.keys()
+
+    def pursued_for(self, client: str) -> str | None:
+        """The identifier of the client's goal that is pursued, if there is one."""
+        return self._pursued.ident if self._pursued is not None and self._pursued.client == client else None
 
     @property
     def is_pursuing(self) -> bool:

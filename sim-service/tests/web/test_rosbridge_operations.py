@@ -433,7 +433,7 @@ def test_a_client_gives_a_goal_to_the_robots_own_program(bridge: RosBridge) -> N
         peer.commands.clear()
         for _ in range(steps):
             world.integrate()
-            bridge.post_replies(world.actions)
+            bridge.post_replies(world.actions, 0.0)
         return peer.got()
 
     peer.say(op="send_action_goal", id="1", feedback=True, **goal)

@@ -5,8 +5,8 @@ Follows the protocol as RobotWebTools' rosbridge_suite (ROBOT side: ros1 0.11.17
 tell: topics are echoed as the client wrote them, `status` is only sent to clients that asked with `set_level`,
 latched values come at once, throttling is per topic, a subscription with another type than the topic's and a message
 with an unknown field are refused. What a client sends wrong is ignored, like there, and told to those who listen.
-`png` goes to clients only (its section 2): from clients it is refused as unknown. Actions are called as at a server of ROS 2
-(3.2.12 to 3.2.15); clients offer none.
+`png` goes to clients only (its section 2): from clients it is refused as unknown. Actions are called as at a server of
+ROS 2 (3.2.12 to 3.2.15), and by the topics of ``actionlib.py``; clients offer none.
 Types without a definition in ``rosy-hs/ros/msg`` are taken as the client says.
 """
 

@@ -10,7 +10,9 @@ import asyncio
 from collections import deque
 from collections.abc import Iterable
 
+from ....robots import DEFAULT_ROBOT
 from ....wire.channels import Values
+from ....wire.ros.actionlib import ACTIONLIB, KEPT_RESULTS, STATUS_STEPS, goal_of, reply_message, status_message
 from ....wire.ros.ros_messages import completed
 from ....wire.ros.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
 from ....wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
@@ -19,6 +21,8 @@ from ....world.events import Command, GiveGoal, Reading, TakeBackGoal
 from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
+
+_ACTIONS = DEFAULT_ROBOT.actions.keys()
 
 MAX_CLIENTS = 20
 """Connections of one session."""
@@ -59,6 +63,9 @@ class RosBridge:
         self._latched: dict[str, None] = {}
         self._latest: dict[str, Values] = {}
         self._seq = 0
+        # The latest results of goals on topics, and the calls of `post_replies`.
+        self._results: deque[TopicMessage] = deque(maxlen=KEPT_RESULTS)
+        self._steps = 0
 
     def __len__(self) -> int:
         return len(self._clients)
@@ -94,13 +101,28 @@ class RosBridge:
         self._forward(reply)
         for message in reply.commanded:
             self._post_completed(message, now)
+        for command in reply.commands:
+            goal = goal_of(command, _ACTIONS) if isinstance(command, TopicMessage) else None
+            if goal is not None:
+                reply.goals.append(goal)
         return [*reply.commands, *reply.goals]
 
-    def post_replies(self, actions: ActionGoals) -> None:
-        """Send to the clients how their goals get on."""
+    def post_replies(self, actions: ActionGoals, now: float) -> None:
+        """Send to the clients how their goals get on, after a step."""
         for client in self._clients:
             for reply in actions.take_replies(client.protocol.name):
                 client.put(client.protocol.deliver_reply(reply))
+        graph = self._shared.graph
+        for reply in actions.take_replies(ACTIONLIB):
+            message = reply_message(reply, graph.time)
+            if reply.kind == "result":
+                self._results.append(message)
+            self.post(message, now)
+        self._steps += 1
+        if self._steps % STATUS_STEPS == 0:
+            for action in actions.names:
+                if f"{action}/status" in graph.own_topics:
+                    self.post(status_message(action, actions.pursued_for(ACTIONLIB), [*self._results], graph.time), now)
 
     def post_command(self, command: Command, now: float) -> None:
         """Send a command of the program to the clients that have subscribed to its topic."""

@@ -138,7 +138,7 @@ class SimulatedRobot:
             self.hands.between_steps(partial(self._publish, message))
 
     def _publish(self, message: Command | TopicMessage | GiveGoal | TakeBackGoal) -> None:
-        """A person or a ROS client publishes a message: a command, or for the program and all ROS clients; or a goal."""
+        """A person or a ROS client publishes: a command, a goal, or a message for the program and all ROS clients."""
         if isinstance(message, TakeBackGoal) and not self.world.actions.is_pursuing:
             return
         self.hands.record(message)
@@ -175,7 +175,7 @@ class SimulatedRobot:
         has_clients = bool(self.bridge)
         self.world.listen("ros", self.bridge.wanted() if has_clients else ())
         if has_clients:
-            self.bridge.post_replies(self.world.actions)
+            self.bridge.post_replies(self.world.actions, self._now())
         if events or has_clients:
             self.bridge.publish(events, self.world.odometry(), self.steps / STEPS_PER_SECOND, self._now())
 
