@@ -8,7 +8,7 @@
 
 -- |
 -- Module      : Rosy.Action
--- Description : Tasks that a robot's own programs carry out: actions and services of ROS (rule R27).
+-- Description : Tasks that a robot's own programs carry out: actions and services of ROS (rule R26).
 --
 -- > data Count = Count Int
 -- > newtype Counting = Counting [Int]

@@ -471,13 +471,11 @@ export const tasks: readonly BlockSpec[] = [
     sockets: [],
     words: words.tasks.dock,
     tooltip: words.tasks.docks,
-    hasDefinition: true,
   })),
   call("step_undock", "undock", () => ({
     sockets: [],
     words: words.tasks.undock,
     tooltip: words.tasks.undocks,
-    hasDefinition: true,
   })),
   call("step_either_or", "eitherOr", () => ({
     sockets: [
