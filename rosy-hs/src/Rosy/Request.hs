@@ -38,10 +38,10 @@ requestChannel, replyChannel :: Channel
 requestChannel = Channel (replyChannelNumber + 2) "Request" CommandChannel 0 Nothing (shownFrame "Request")
 replyChannel = Channel replyChannelNumber "Reply" EventChannel 0 Nothing (shownFrame "Reply")
 
--- | A request or a reply as a trace shows it: its operation and whom it concerns.
+-- | A request or a reply as a trace shows it: its operation, whom it concerns, and its identifier.
 shownFrame :: String -> [Field] -> Maybe String
 shownFrame kind fields = case fields of
-  [Structure (Object o)] -> Just (unwords (kind : [Text.unpack t | key <- ["op", "action", "service"], Just (String t) <- [KeyMap.lookup key o]]))
+  [Structure (Object o)] -> Just (unwords (kind : [Text.unpack t | key <- ["op", "action", "service", "id"], Just (String t) <- [KeyMap.lookup key o]]))
   _ -> Nothing
 
 -- | A frame of rosbridge v2 that a program sends: @send_action_goal@, @cancel_action_goal@ or @call_service@.

@@ -280,6 +280,12 @@ class World:
         x, y, theta = self._odometry_model.pose
         return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
 
+    def reset_odometry(self) -> None:
+        """The odometry begins anew here, as after ``/mobile_base/commands/reset_odometry`` of kobuki_node."""
+        self._origin = _origin(self.x, self.y, self.theta)
+        if self._odometry_model is not None:
+            self._odometry_model.pose = (0.0, 0.0, 0.0)
+
     def command(self, command: Command) -> None:
         """Obey a command from the next integrate() on, or later when the world is slow."""
         self._device_values = None

@@ -27,7 +27,7 @@ from ...wire.action_frames import action_name, has_substitute, reply_frame, serv
 from ...wire.channels import Values
 from ...wire.link_messages import NO_FIRINGS, CancelActionGoal, Ended, Ready, SendActionGoal, Settled
 from ...wire.robot_link import Request, SimulatorLink, start_line, step_line, stop_line
-from ...wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
+from ...wire.topics import CHANNELS, ODOMETRY, RESET_ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
 from ...world.events import VELOCITY_CHANNEL, Command, Reading
 from ...world.goals import GoalTracker, Observation
 from ...world.time_step import STEPS_PER_SECOND
@@ -214,7 +214,9 @@ class Lockstep:
         return lines
 
     def post(self, message: TopicMessage) -> None:
-        """A message for the program, if it takes the topic: in the next step."""
+        """A message for the program, if it takes the topic: in the next step; or one that the robot obeys."""
+        if message.topic == RESET_ODOMETRY:
+            self.world.reset_odometry()
         if message.topic in self._link.subscribed:
             self._posted.append(message.line())
 

@@ -22,7 +22,7 @@ from ...sentences.sentence import tr
 from ...world.action_goals import ActionReply
 from ...world.events import Command, GiveGoal, TakeBackGoal
 from ..action_frames import reply_frame
-from ..topics import COMMAND_TOPICS, LATCHED, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
+from ..topics import COMMAND_TOPICS, LATCHED, RESET_ODOMETRY, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
 from .ros_messages import message_fault
 from .rosapi import RosGraph, absolute_name, call_rosapi, short_type
 from .rosbridge_encodings import ENCODINGS, encode_publish, fragments, json_text
@@ -370,7 +370,7 @@ class RosbridgeClient:
                 self._report(reply, message, why)
                 return
             read = read_message(name, msg)
-            if isinstance(read, TopicMessage) and read.topic not in self._advertised:
+            if isinstance(read, TopicMessage) and read.topic not in (*self._advertised, RESET_ODOMETRY):
                 raise BadMessage(tr("{topic} is not advertised", topic=topic))
             reply.commands.append(read)
             if isinstance(read, TopicMessage) and (message.get("latch") is True or name in self._latching):

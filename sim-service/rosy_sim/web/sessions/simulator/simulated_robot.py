@@ -13,7 +13,7 @@ from ....run.simulated_run import SimulatedRun
 from ....run.steps.lockstep import Lockstep, no_such_server
 from ....sentences.sentence import Sentence, tr
 from ....wire import page
-from ....wire.topics import BadMessage, TopicMessage
+from ....wire.topics import RESET_ODOMETRY, BadMessage, TopicMessage
 from ....wire.user_input import published, user_actions
 from ....world.events import Command, GiveGoal, Reading, TakeBackGoal
 from ....world.time_step import STEPS_PER_SECOND
@@ -151,6 +151,8 @@ class SimulatedRobot:
         run = self.run()
         if run is not None:
             run.post(message)
+        elif message.topic == RESET_ODOMETRY:
+            self.world.reset_odometry()
         self.on_message(message)
 
     def _obey(self, command: Command) -> None:
