@@ -6,7 +6,7 @@
 -- Module      : Rosy.Request
 -- Description : Calls of actions and services on their way to a robot, and the replies.
 --
--- All links carry them on two channels, one for each direction, as frames of rosbridge v2 (ROSBRIDGE_PROTOCOL.md, 3.2.12 to 3.2.15 and
+-- All links carry them on two channels, one for each direction, as frames of rosbridge v2 (rosbridge v2.0 Protocol Specification, 3.2.12 to 3.2.15 and
 -- 3.3.8 to 3.3.9). An action whose name has no slash is one that the robot's description names. "Rosy.Action" makes tasks of them.
 module Rosy.Request
   ( -- * Channels

@@ -1,6 +1,6 @@
 """
-Frames of rosbridge v2 that answer calls of actions and services (ROSBRIDGE_PROTOCOL.md, 3.2.14, 3.2.15 and 3.3.9): on
-the robot link for programs, on a WebSocket for ROS clients.
+Frames of rosbridge v2 that answer calls of actions and services (rosbridge v2.0 Protocol Specification, 3.2.14, 3.2.15
+and 3.3.9): on the robot link for programs, on a WebSocket for ROS clients.
 """
 
 from __future__ import annotations

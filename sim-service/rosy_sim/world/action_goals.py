@@ -2,47 +2,18 @@
 Goals that clients give to the robot's own programs (ROS actions), such as driving into the dock.
 
 In: goals and cancellations of clients, one step after the other. Out: velocities while a goal is pursued, and replies
-for each client. One goal is pursued at a time; another one of the same action is rejected, as Kobuki's own program
-does. The numbers of the states are those of action_msgs, msg/GoalStatus.msg.
+for each client. One goal is pursued at a time; another one is rejected, as upstream's programs do.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Literal, NamedTuple, Protocol
+from typing import Any, Literal, NamedTuple
 
-if TYPE_CHECKING:
-    from .robot import Surroundings
+from .robot import CANCELED, ActionDrive, Finished, Surroundings
 
-__all__ = ["ABORTED", "CANCELED", "SUCCEEDED", "ActionDrive", "ActionGoals", "ActionReply", "Driving", "Finished"]
-
-SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
-
-
-class Driving(NamedTuple):
-    """The goal is pursued: m/s ahead, rad/s to the left, and the feedback message."""
-
-    linear: float
-    angular: float
-    feedback: dict[str, Any]
-
-
-class Finished(NamedTuple):
-    """The goal is no longer pursued: ``SUCCEEDED`` or ``ABORTED``, and the result message."""
-
-    status: int
-    result: dict[str, Any]
-
-
-class ActionDrive(Protocol):
-    """Pursues one goal."""
-
-    def step(self, robot: Surroundings) -> Driving | Finished:
-        """What the wheels do in the next step of 20 ms."""
-
-    def canceled(self) -> dict[str, Any]:
-        """The result message of a goal that was cancelled."""
+__all__ = ["ActionGoals", "ActionReply"]
 
 
 class ActionReply(NamedTuple):

@@ -9,13 +9,27 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import NamedTuple, Protocol, runtime_checkable
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
-from .action_goals import ActionDrive
 from .arena import Arena
 from .events import Reading
 
-__all__ = ["Body", "Device", "MotorLimits", "Robot", "ScannerModel", "SensorBits", "Surroundings", "TimedDevice"]
+__all__ = [
+    "ABORTED",
+    "CANCELED",
+    "SUCCEEDED",
+    "ActionDrive",
+    "Body",
+    "Device",
+    "Driving",
+    "Finished",
+    "MotorLimits",
+    "Robot",
+    "ScannerModel",
+    "SensorBits",
+    "Surroundings",
+    "TimedDevice",
+]
 
 
 class SensorBits(NamedTuple):
@@ -132,6 +146,35 @@ class TimedDevice(Device, Protocol):
 
     def integrate(self, robot: Surroundings, dt: float) -> None:
         """Let ``dt`` seconds pass."""
+
+
+SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
+"""How a goal ends: numbers of action_msgs, msg/GoalStatus.msg."""
+
+
+class Driving(NamedTuple):
+    """The goal is pursued: m/s ahead, rad/s to the left, and the feedback message."""
+
+    linear: float
+    angular: float
+    feedback: dict[str, Any]
+
+
+class Finished(NamedTuple):
+    """The goal is no longer pursued: ``SUCCEEDED`` or ``ABORTED``, and the result message."""
+
+    status: int
+    result: dict[str, Any]
+
+
+class ActionDrive(Protocol):
+    """Pursues one goal."""
+
+    def step(self, robot: Surroundings) -> Driving | Finished:
+        """What the wheels do in the next step of 20 ms."""
+
+    def canceled(self) -> dict[str, Any]:
+        """The result message of a goal that was cancelled."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -281,7 +281,7 @@ class World:
         return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
 
     def reset_odometry(self) -> None:
-        """The odometry begins anew here, as after ``/mobile_base/commands/reset_odometry`` of kobuki_node."""
+        """The odometry begins anew here, as after a command to reset it."""
         self._origin = _origin(self.x, self.y, self.theta)
         if self._odometry_model is not None:
             self._odometry_model.pose = (0.0, 0.0, 0.0)

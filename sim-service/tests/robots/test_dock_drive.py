@@ -9,7 +9,8 @@ import pytest
 
 from rosy_sim.robots.kobuki.dock_drive import DOCK_ACTION
 from rosy_sim.robots.kobuki.power import CHARGED, CHARGING
-from rosy_sim.world.action_goals import ABORTED, CANCELED, SUCCEEDED, ActionReply
+from rosy_sim.world.action_goals import ActionReply
+from rosy_sim.world.robot import ABORTED, CANCELED, SUCCEEDED
 from rosy_sim.world.world import World
 
 from ..conftest import hall

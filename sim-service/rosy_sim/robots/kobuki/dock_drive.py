@@ -11,9 +11,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from ...world.action_goals import ABORTED, SUCCEEDED, Driving, Finished
 from ...world.arena import Pose
-from ...world.robot import Surroundings
+from ...world.robot import ABORTED, SUCCEEDED, Driving, Finished, Surroundings
 from ...world.time_step import STEPS_PER_SECOND
 from .dock_receivers import sees_dock
 from .power import is_docked

@@ -10,8 +10,9 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any
 
-from ...world.action_goals import ABORTED, CANCELED, SUCCEEDED, ActionReply
+from ...world.action_goals import ActionReply
 from ...world.events import GiveGoal, TakeBackGoal
+from ...world.robot import ABORTED, CANCELED, SUCCEEDED
 from ..topics import TopicMessage
 
 __all__ = ["ACTIONLIB", "KEPT_RESULTS", "STATUS_STEPS", "goal_of", "reply_message", "status_message"]
