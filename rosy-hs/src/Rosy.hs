@@ -135,6 +135,21 @@ module Rosy
     penColor,
     penWidth,
 
+    -- * Actions and services of the robot
+    dock,
+    undock,
+    driveDistance,
+    rotateAngle,
+    callAction,
+    Action (action),
+    ActionServer,
+    actionServer,
+    callService,
+    Service (service),
+    ServiceServer,
+    serviceServer,
+    Outcome (..),
+
     -- * Tasks with more
     task',
     parallel_,
@@ -225,6 +240,7 @@ where
 import Control.Applicative (Alternative)
 import Control.Monad
 import Data.Typeable (Typeable)
+import Rosy.Action (Action (action), ActionServer, Outcome (..), Service (service), ServiceServer, actionServer, callAction, callService, dock, driveDistance, rotateAngle, serviceServer, undock)
 import Rosy.Command
 import Rosy.Controller
 import Rosy.Core (Plan, Sense)

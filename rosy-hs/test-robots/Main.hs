@@ -10,6 +10,7 @@ import Rosy.Sentence (english)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
 import qualified Test.Robots.Absence
+import qualified Test.Robots.ActionClient
 import qualified Test.Robots.BuiltProgram
 import qualified Test.Robots.Distance
 import qualified Test.Robots.Guard
@@ -41,6 +42,7 @@ suite =
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
       Test.Robots.Absence.tests,
+      Test.Robots.ActionClient.tests,
       Test.Robots.Distance.tests,
       Test.Robots.Target.tests,
       Test.Robots.BuiltProgram.tests,

@@ -2,6 +2,7 @@
 module Main (main) where
 
 import System.Environment (lookupEnv)
+import qualified Test.Rosy.Action
 import qualified Test.Rosy.Codec
 import qualified Test.Rosy.Controller
 import qualified Test.Rosy.Documentation
@@ -29,6 +30,7 @@ main = do
         Test.Rosy.LaserScan.tests,
         Test.Rosy.Controller.tests,
         Test.Rosy.Task.tests,
+        Test.Rosy.Action.tests,
         Test.Rosy.Refused.tests,
         Test.Rosy.Laws.tests (if isNightly then 1000000 else 200000),
         Test.Rosy.Model.tests,

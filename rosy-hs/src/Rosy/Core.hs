@@ -37,6 +37,7 @@ module Rosy.Core
     channelInterest,
     clockInterest,
     channelLimit,
+    replyChannelNumber,
     lacks,
     noInterest,
     unite,
@@ -158,9 +159,14 @@ channelInterest channel = unsafeShiftL 1 (channelNumber channel + 3)
 clockInterest :: Interest
 clockInterest = bit 2
 
--- | The numbers of a robot's channels that a program can take are smaller than this; the last bit is for the program's own topics.
+-- | The numbers of a robot's channels that a program can take are smaller than this; the last two bits are for the program's own topics, and
+-- for the replies to its calls.
 channelLimit :: Int
-channelLimit = 60
+channelLimit = 59
+
+-- | The replies to the program's calls of actions and services.
+replyChannelNumber :: Int
+replyChannelNumber = channelLimit + 1
 
 -- | The empty set.
 noInterest :: Interest

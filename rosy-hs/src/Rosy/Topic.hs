@@ -43,6 +43,8 @@ module Rosy.Topic
     sensorTopics,
     commandTopics,
     absolute,
+    readFields,
+    contentValue,
   )
 where
 
@@ -62,7 +64,7 @@ import qualified Data.Text.Encoding as Text
 import qualified Data.Vector as Vector
 import Rosy.Channel (Action (..), Channel (..), Field (Structure), Kind (..), Message (..))
 import qualified Rosy.Channel as Channel
-import Rosy.Core (Effect (Act), Effects (Then), Plan (..), Sense (..), Topic (..), TopicUse (..), channelInterest, channelLimit)
+import Rosy.Core (Effect (Act), Effects (Then), Plan (..), Sense (..), Topic (..), TopicUse (..), channelInterest, channelLimit, replyChannelNumber)
 import qualified Rosy.Core as Core
 import Rosy.JsonNumber (doubleIn)
 import Rosy.Problem (Fault (NotANumber, Unreadable))
@@ -78,7 +80,7 @@ openSensor = Channel channelLimit "Topic" EventChannel 0 Nothing shownMessage
 
 -- | The messages of topics that the program sends, as values of a type of the program with this name.
 openCommand :: String -> Channel
-openCommand kind = Channel (channelLimit + 1) kind CommandChannel 0 Nothing shownMessage
+openCommand kind = Channel (replyChannelNumber + 1) kind CommandChannel 0 Nothing shownMessage
 
 shownMessage :: [Field] -> Maybe String
 shownMessage fields = case fields of
@@ -145,6 +147,10 @@ instance Functor Fields where
 instance Applicative Fields where
   pure x = Fields (const (Right x))
   Fields f <*> Fields x = Fields (\message -> f message <*> x message)
+
+-- | What the fields of a message say, or the field that is missing or of another kind.
+readFields :: Fields a -> Value -> Either String a
+readFields (Fields look) = look
 
 -- | A field by its name; inside of others with dots: @field "pose.pose.position.x"@.
 field :: FieldType a => String -> Fields a
@@ -215,6 +221,10 @@ typeNamed kind plan = case plan of
 -- | The content of a field.
 newtype Content = Content Value
   deriving (Eq, Show)
+
+-- | The content as JSON.
+contentValue :: Content -> Value
+contentValue (Content value) = value
 
 -- | A whole number.
 whole :: Int -> Content

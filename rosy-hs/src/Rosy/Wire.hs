@@ -54,6 +54,7 @@ import Rosy.Profile (Leaf (ANumber), Mapping (..), Place (..), Robot (..), Step 
 import Rosy.Provenance
 import Rosy.Robot.Known (simulated)
 import Rosy.Sentence (english, sentenceId)
+import Rosy.Request (isReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 import Rosy.Wire.NumberTemplate
 
@@ -126,6 +127,7 @@ line taken o = do
     "step" -> StepLine <$> o .: "step" <*> o .: "time" <*> o .:? "memory" .!= False <*> o .:? "firings" .!= False <*> o .:? "late" .!= False
     "start" -> StartLine <$> o .: "protocol" <*> o .: "seed" <*> o .:? "clock" .!= 0 <*> o .:? "trace" .!= False <*> o .:? "quiet" .!= False
     "stop" -> pure StopLine
+    _ | isReply op -> pure (SensorLine [ReplyMessage (Object o)])
     _ -> fail ("unknown op " ++ show op)
 
 -- | The channels of the simulated robot, as the pipe has them: without the fields of a message that are always the same, and with a field for
@@ -265,6 +267,7 @@ object fields = "{" <> mconcat (intersperse "," ["\"" <> key <> "\":" <> value |
 action :: Action -> Builder
 action (OpenAction name message) =
   "{\"op\":\"publish\",\"topic\":" <> text name <> ",\"msg\":" <> Encoding.fromEncoding (Encoding.value message) <> "}\n"
+action (RequestAction frame) = Encoding.fromEncoding (Encoding.value frame) <> "\n"
 action (Action c fields) = maybe mempty ($ fields) (IntMap.lookup (channelNumber c) publishers)
 
 -- | By the number of a command's channel, its line.

@@ -30,7 +30,7 @@ from ..rooms.command import check_options, test_in_rooms
 from ..rooms.programs import Pool
 from ..run.grading import Grade, csv_rows, format_table, grade_programs, programs_in
 from ..run.headless_run import RunOutput, RunResult, RunSettings, run_native, run_program
-from ..run.steps.lockstep import Lockstep
+from ..run.steps.lockstep import Lockstep, no_such_server
 from ..sentences.sentence import Sentence, tr
 from ..sentences.terminal_text import escape_json, neutralize, neutralize_line
 from ..sentences.wording import in_terminal, machine_wording
@@ -108,7 +108,7 @@ def _run(config: Config, options: argparse.Namespace) -> int:
         if options.trace is not None:
             trace = stack.enter_context(AtomicFile(options.trace, keep_interrupted=True))
         # The standard error of a run that another program reads is empty when all went well.
-        observe = _note_blocked if sys.stdout.isatty() else _ignore
+        observe = _note_problems if sys.stdout.isatty() else _note_unavailable
         output = RunOutput(say, trace, observe, options.provenance, record)
         if native:
             outcome = run_native(options.file, world, settings, output)
@@ -124,14 +124,16 @@ def _run(config: Config, options: argparse.Namespace) -> int:
     return _report(options.file, world, outcome)
 
 
-def _note_blocked(lockstep: Lockstep) -> None:
-    """For a person: why nothing seems to happen any more."""
+def _note_problems(lockstep: Lockstep) -> None:
+    """For a person: why nothing seems to happen any more, and what the robot lacks."""
+    _note_unavailable(lockstep)
     if lockstep.is_blocked:
         print_note(tr("{time} s: the robot pushes against something and cannot drive on.", time=lockstep.time))
 
 
-def _ignore(_: Lockstep) -> None:
-    pass
+def _note_unavailable(lockstep: Lockstep) -> None:
+    for name in lockstep.unavailable:
+        print_note(no_such_server(name))
 
 
 def _report(file: Path, world: World | None, outcome: RunResult) -> int:

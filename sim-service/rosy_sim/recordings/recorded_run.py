@@ -27,7 +27,7 @@ from ..wire.firing import read_firings
 from ..wire.line_splitter import LineSplitter, LineTooLong
 from ..wire.link_messages import Ended, Ready, Settled
 from ..wire.problem import Problem
-from ..wire.robot_link import MAX_LINE, LimitExceeded, LinkError, SimulatorLink, step_line
+from ..wire.robot_link import MAX_LINE, LimitExceeded, LinkError, Request, SimulatorLink, step_line
 from ..wire.robot_process import ObservedStep
 from ..wire.telemetry import Telemetry
 from ..wire.topics import BadMessage, TopicMessage, read_command
@@ -270,7 +270,7 @@ class RecordedRun(PageRun):
                     for message in self._messages.feed(line + b"\n"):
                         if isinstance(message, Command):
                             answer.commands.append(message)
-                        elif not isinstance(message, TopicMessage):
+                        elif not isinstance(message, TopicMessage | Request):
                             answer.end = message
                             return answer
                 data = await loop.sock_recv(self._link, 65536)

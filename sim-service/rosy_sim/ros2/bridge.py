@@ -2,9 +2,10 @@
 Bridge between ROS 2 and the rosbridge protocol v2, for the clients of one computer.
 
 In and out: frames of clients on a WebSocket, messages on DDS or Zenoh. It serves `advertise`, `unadvertise`, `publish`,
-`subscribe`, `unsubscribe` and `call_service`, and of rosapi what is asked of a graph. The quality of service follows
-what the other side offers, whenever that changes. A velocity is sent in the type that the robot reads, Twist or
-TwistStamped, whichever the client says.
+`subscribe`, `unsubscribe` and `call_service` without an answer, and of rosapi what is asked of a graph; a goal for an
+action, and a call that waits for its answer, are answered with the reason why they are not carried out. The quality of
+service follows what the other side offers, whenever that changes. A velocity is sent in the type that the robot reads,
+Twist or TwistStamped, whichever the client says.
 
 A robot whose client is gone or silent, or whose bridge was away for half a second, is stopped; the guardian does the
 same when the bridge ends.
@@ -44,6 +45,9 @@ _AWAY = 0.5
 
 _MATCH_TIMEOUT = 2.0
 """For a writer and a reader that the graph has to find each other, s."""
+
+_NO_ANSWERS = "over DDS and Zenoh no answers are read; start rosbridge_suite on the robot: ws://HOST:9090?ros=2"
+"""Why an action or a service is not called: the header of their messages depends on the vendor of DDS."""
 
 _CYCLONE = b"\x01\x10"
 """Cyclone DDS's number as a vendor (dds-foundation.org, DDSI-RTPS vendor and product IDs)."""
@@ -252,6 +256,11 @@ class _Client:
                 self._subscribe(topic, kind)
             case "unsubscribe" if topic:
                 self._unsubscribe(topic)
+            case "send_action_goal":
+                self._refuse_goal(message)
+            case "cancel_action_goal":
+                # No goal is pursued.
+                pass
             case "call_service":
                 await self._call(message)
             case op:
@@ -393,7 +402,10 @@ class _Client:
     async def _call(self, message: dict[str, Any]) -> None:
         service, args = _absolute(message.get("service")), message.get("args") or {}
         values: Any = _ask_graph(self._bridge.graph, service, args if isinstance(args, dict) else {})
-        failed = None if values is not None else await self._bridge.request(service, args)
+        if values is not None:
+            failed = None
+        else:
+            failed = _NO_ANSWERS if "id" in message else await self._bridge.request(service, args)
         answer = {
             "op": "service_response",
             "service": service,
@@ -401,6 +413,10 @@ class _Client:
             "result": failed is None,
         }
         self._send(answer | ({"id": message["id"]} if "id" in message else {}))
+
+    def _refuse_goal(self, message: dict[str, Any]) -> None:
+        goal = {"id": message.get("id"), "action": message.get("action")}
+        self._send({"op": "action_result", **goal, "values": _NO_ANSWERS, "status": 0, "result": False})
 
     def _complain(self, why: str) -> None:
         self._send({"op": "status", "level": "error", "msg": why})

@@ -80,6 +80,8 @@ class SimulatedRun(PageRun):
             self._runner.abandon()
             self._session.kill()
             self._runner = None
+            if self._lockstep is not None:
+                self._lockstep.cancel_goals()
             self._view.show_frame(force=True)
             self._simulation.on_over()
         self._end("stopped", problems)
@@ -209,6 +211,7 @@ class SimulatedRun(PageRun):
     def on_end(self, lockstep: Lockstep, ending: Ending, detail: str) -> None:
         """The run is over."""
         self._runner = None
+        lockstep.cancel_goals()
         self._simulation.world.command(velocity(0.0, 0.0))
         self._simulation.on_safety(False, lockstep.time)
         self._view.show_frame(force=True)

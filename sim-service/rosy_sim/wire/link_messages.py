@@ -11,11 +11,14 @@ from .problem import Problem
 __all__ = [
     "NO_FIRINGS",
     "Advertise",
+    "CallService",
+    "CancelActionGoal",
     "Ended",
     "MemoryValue",
     "ProgramLine",
     "Publish",
     "Ready",
+    "SendActionGoal",
     "Settled",
     "Subscribe",
 ]
@@ -26,6 +29,27 @@ class Publish(msgspec.Struct, tag="publish", tag_field="op"):
 
     topic: str
     msg: msgspec.Raw
+
+
+class SendActionGoal(msgspec.Struct, tag="send_action_goal", tag_field="op"):
+    """A goal for a program of the robot. An action without a slash is one that the robot's description names."""
+
+    id: str
+    action: str
+
+
+class CancelActionGoal(msgspec.Struct, tag="cancel_action_goal", tag_field="op"):
+    """The goal of this identifier is taken back."""
+
+    id: str
+    action: str
+
+
+class CallService(msgspec.Struct, tag="call_service", tag_field="op"):
+    """A request to a service."""
+
+    id: str
+    service: str
 
 
 class MemoryValue(msgspec.Struct):
@@ -93,5 +117,7 @@ class Ready(msgspec.Struct, tag="ready", tag_field="op"):
     mailbox: bool = False
 
 
-ProgramLine = Publish | Settled | Ended | Advertise | Subscribe | Ready
+ProgramLine = (
+    Publish | SendActionGoal | CancelActionGoal | CallService | Settled | Ended | Advertise | Subscribe | Ready
+)
 """What a program says in a line."""

@@ -13,7 +13,17 @@ import msgspec
 from ..world.events import Command
 from ..world.time_step import STEPS_PER_SECOND
 from .line_splitter import LineSplitter, LineTooLong
-from .link_messages import Ended, ProgramLine, Publish, Ready, Settled, Subscribe
+from .link_messages import (
+    CallService,
+    CancelActionGoal,
+    Ended,
+    ProgramLine,
+    Publish,
+    Ready,
+    SendActionGoal,
+    Settled,
+    Subscribe,
+)
 from .topics import COMMAND_TOPICS, BadMessage, TopicMessage, read_command
 
 __all__ = [
@@ -23,6 +33,7 @@ __all__ = [
     "MAX_STEP",
     "LimitExceeded",
     "LinkError",
+    "Request",
     "SimulatorLink",
     "start_line",
     "step_line",
@@ -60,7 +71,10 @@ class LimitExceeded(LinkError):
 
 _decoder = msgspec.json.Decoder(ProgramLine)
 
-Message = Ready | Command | TopicMessage | Settled | Ended
+Request = SendActionGoal | CancelActionGoal | CallService
+"""A call of an action or a service."""
+
+Message = Ready | Command | TopicMessage | Request | Settled | Ended
 
 MAX_TOPICS = 100
 """Most topics that a program may take, and most that it may send, the robot's own included."""
@@ -184,6 +198,9 @@ class SimulatorLink:
             return self._settled(message)
         if isinstance(message, Publish):
             return self._publish(message)
+        if isinstance(message, Request):
+            self._count_command()
+            return message
         if isinstance(message, Ended):
             self.ended = True
             return message

@@ -22,6 +22,7 @@ __all__ = [
     "COMMAND_TOPICS",
     "LATCHED",
     "ODOMETRY",
+    "RESET_ODOMETRY",
     "SENSOR_TOPICS",
     "BadMessage",
     "TopicMessage",
@@ -43,6 +44,9 @@ SENSOR_TOPICS: dict[str, str] = {c.topic: c.type for c in CHANNELS.values() if n
 
 COMMAND_TOPICS: dict[str, str] = {c.topic: c.type for c in CHANNELS.values() if c.is_command}
 """Type per topic the robot obeys."""
+
+RESET_ODOMETRY = "/mobile_base/commands/reset_odometry"
+"""An empty message on it lets the odometry begin anew."""
 
 LATCHED = frozenset(c.topic for c in CHANNELS.values() if not c.is_command and (c.latched or c.kind == "state"))
 """Topics whose last value a new subscriber gets. A state is published when it changes; a real base repeats it."""

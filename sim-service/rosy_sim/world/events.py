@@ -14,11 +14,13 @@ from .field_readers import Pose
 __all__ = [
     "VELOCITY_CHANNEL",
     "Command",
+    "GiveGoal",
     "Lift",
     "Move",
     "Press",
     "Reading",
     "Side",
+    "TakeBackGoal",
     "Teleport",
     "UserAction",
     "velocity",
@@ -85,4 +87,21 @@ class Move:
     pose: Pose
 
 
-UserAction = Press | Lift | Teleport | Move
+@dataclass(frozen=True, slots=True)
+class GiveGoal:
+    """A ROS client gives a goal to one of the robot's own programs, an action."""
+
+    client: str
+    ident: str
+    action: str
+
+
+@dataclass(frozen=True, slots=True)
+class TakeBackGoal:
+    """A ROS client takes back its goal, or, without an identifier, leaves."""
+
+    client: str
+    ident: str | None = None
+
+
+UserAction = Press | Lift | Teleport | Move | GiveGoal | TakeBackGoal

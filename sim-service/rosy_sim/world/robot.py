@@ -8,13 +8,28 @@ The world takes one as an argument and knows no robot by name; ``robots/<name>``
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import NamedTuple, Protocol, runtime_checkable
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 from .arena import Arena
 from .events import Reading
 
-__all__ = ["Body", "Device", "MotorLimits", "Robot", "ScannerModel", "SensorBits", "Surroundings", "TimedDevice"]
+__all__ = [
+    "ABORTED",
+    "CANCELED",
+    "SUCCEEDED",
+    "ActionDrive",
+    "Body",
+    "Device",
+    "Driving",
+    "Finished",
+    "MotorLimits",
+    "Robot",
+    "ScannerModel",
+    "SensorBits",
+    "Surroundings",
+    "TimedDevice",
+]
 
 
 class SensorBits(NamedTuple):
@@ -106,6 +121,10 @@ class Surroundings(Protocol):
     outputs: dict[str, tuple[float | int | str, ...]]
 
     @property
+    def has_contacts(self) -> bool:
+        """Whether the robot touches anything."""
+
+    @property
     def turn_rate(self) -> float:
         """The turn rate that the robot's own sensors estimate, rad/s."""
 
@@ -129,6 +148,35 @@ class TimedDevice(Device, Protocol):
 
     def integrate(self, robot: Surroundings, dt: float) -> None:
         """Let ``dt`` seconds pass."""
+
+
+SUCCEEDED, CANCELED, ABORTED = 4, 5, 6
+"""How a goal ends: numbers of action_msgs, msg/GoalStatus.msg."""
+
+
+class Driving(NamedTuple):
+    """The goal is pursued: m/s ahead, rad/s to the left, and the feedback message."""
+
+    linear: float
+    angular: float
+    feedback: dict[str, Any]
+
+
+class Finished(NamedTuple):
+    """The goal is no longer pursued: ``SUCCEEDED`` or ``ABORTED``, and the result message."""
+
+    status: int
+    result: dict[str, Any]
+
+
+class ActionDrive(Protocol):
+    """Pursues one goal."""
+
+    def step(self, robot: Surroundings) -> Driving | Finished:
+        """What the wheels do in the next step of 20 ms."""
+
+    def canceled(self) -> dict[str, Any]:
+        """The result message of a goal that was cancelled."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -155,5 +203,7 @@ class Robot:
     motor_switch: str | None = None
     # What else is built in: each is made for a room.
     devices: tuple[Callable[[Arena], Device], ...] = ()
+    # The goals that its own programs pursue, by the name of the action.
+    actions: Mapping[str, Callable[[], ActionDrive]] = field(default_factory=dict)
     # Its laser scanner; None when it can have none.
     scanner: ScannerModel | None = None

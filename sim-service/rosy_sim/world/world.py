@@ -12,8 +12,20 @@ from collections.abc import Collection, Mapping
 from itertools import zip_longest
 
 from ..sentences.sentence import SentenceError, tr
+from .action_goals import ActionGoals
 from .arena import Arena, ArenaError, Pose
-from .events import Command, Lift, Move, Press, Reading, Teleport, UserAction, velocity
+from .events import (
+    Command,
+    GiveGoal,
+    Lift,
+    Move,
+    Press,
+    Reading,
+    TakeBackGoal,
+    Teleport,
+    UserAction,
+    velocity,
+)
 from .motor_controller import MotorController
 from .obstacles import Obstacles
 from .range_scanner import AHEAD, SCAN, RangeScanner
@@ -112,6 +124,8 @@ class World:
         self._announced = False
         # The last command on each channel that lasts; another object after each command.
         self.outputs = dict(robot.outputs)
+        # The goals that clients give to the robot's own programs.
+        self.actions = ActionGoals(robot.actions)
         self._devices = [device(arena) for device in robot.devices]
         self._timed_devices = [device for device in self._devices if isinstance(device, TimedDevice)]
         scanner = robot.scanner if arena.scanner else None
@@ -267,6 +281,12 @@ class World:
         x, y, theta = self._odometry_model.pose
         return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
 
+    def reset_odometry(self) -> None:
+        """The odometry begins anew here, as after a command to reset it."""
+        self._origin = _origin(self.x, self.y, self.theta)
+        if self._odometry_model is not None:
+            self._odometry_model.pose = (0.0, 0.0, 0.0)
+
     def command(self, command: Command) -> None:
         """Obey a command from the next integrate() on, or later when the world is slow."""
         self._device_values = None
@@ -317,6 +337,11 @@ class World:
                 self._lifted = self._lifted | wheels if up else self._lifted & ~wheels
             case Teleport(pose):
                 self._teleport(pose)
+            case GiveGoal(client, ident, name):
+                self.actions.send(client, ident, name)
+            case TakeBackGoal(client, ident):
+                if self.actions.cancel(client, ident):
+                    self.drive(0.0, 0.0)
             case Move(thing, pose):
                 if thing >= len(self.obstacles.movables):
                     raise ActionRefused(tr("There is no such thing to push in this room."))
@@ -353,6 +378,10 @@ class World:
     def _integrate_step(self, dt: float) -> None:
         """Let a step's time pass, or less."""
         self._steps += 1
+        if self.actions.is_pursuing:
+            wanted = self.actions.step(self)
+            if wanted is not None:
+                self.drive(*wanted)
         if self._latency is not None:
             for command in self._latency.arrive(dt):
                 self._obey(command)

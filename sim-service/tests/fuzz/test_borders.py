@@ -40,6 +40,7 @@ from rosy_sim.wire.robot_link import LinkError, SimulatorLink
 from rosy_sim.wire.topics import COMMAND_TOPICS, TopicMessage, read_message
 from rosy_sim.wire.user_input import TimedInput, published, user_actions
 from rosy_sim.world.arena import read_arena
+from rosy_sim.world.events import Command
 from rosy_sim.world.field_readers import ArenaError
 from rosy_sim.world.properties import BadProperty, read_properties
 
@@ -124,7 +125,7 @@ def of_ros_client(data: bytes) -> object:
     for message in found:
         if isinstance(message, TopicMessage):
             bridge.post(message, 0.1)
-        else:
+        elif isinstance(message, Command):
             bridge.post_command(message, 0.1)
     bridge.leave(sender)
     return found

@@ -169,6 +169,13 @@ def test_events_of_a_kobuki_arrive(transport: str) -> None:
             assert (await it.hears(op="service_response"))["values"] == {"topics": ["/odom"]}
             await it.send(op="call_service", service="/sound", type="turtlebot3_msgs/srv/Sound", args={})
             assert not (await it.hears(op="service_response"))["result"]
+            # A program that waits for an answer is told at once that there will be none.
+            await it.send(op="call_service", id="rosy-1", service="/add", type="my_msgs/srv/Add", args={})
+            answer = await it.hears(op="service_response")
+            assert (answer["id"], answer["result"], "rosbridge_suite" in answer["values"]) == ("rosy-1", False, True)
+            await it.send(op="send_action_goal", id="rosy-2", action="/dock", action_type="my_msgs/action/Dock")
+            answer = await it.hears(op="action_result")
+            assert (answer["id"], answer["result"], "rosbridge_suite" in answer["values"]) == ("rosy-2", False, True)
             pressing = asyncio.create_task(it.is_pressed())
             assert (await it.hears(op="publish", topic="/events/bumper"))["msg"] == {"bumper": 0, "state": 1}
             pressing.cancel()

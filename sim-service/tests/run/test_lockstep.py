@@ -9,7 +9,7 @@ import pytest
 from rosy_sim.robots.kobuki.facts import COMMAND_TIMEOUT
 from rosy_sim.run.steps.lockstep import Lockstep
 from rosy_sim.wire.robot_link import LinkError
-from rosy_sim.wire.topics import TopicMessage
+from rosy_sim.wire.topics import RESET_ODOMETRY, TopicMessage
 from rosy_sim.world.events import velocity
 
 from ..conftest import hall
@@ -146,3 +146,16 @@ def test_a_program_that_takes_the_topic_of_the_scanner_gets_whole_scans() -> Non
     assert message["header"]["frame_id"] == "base_scan"
     # The driver says 0 for a beam that meets nothing.
     assert (len(message["ranges"]), message["ranges"][0], message["range_max"]) == (360, 0.0, 3.5)
+
+
+@pytest.mark.parametrize("realism", [{}, {"realism": {"noise": 0.1}}], ids=["ideal", "noisy"])
+def test_the_odometry_begins_anew_where_a_program_or_a_client_resets_it(realism: dict[str, object]) -> None:
+    lockstep = Lockstep(hall(**realism), seed=1)
+    lockstep.feed(
+        f'{{"op":"advertise","topic":"{RESET_ODOMETRY}","type":"std_msgs/Empty"}}\n{{"op":"ready"}}\n'.encode()
+    )
+    steps(lockstep, 100, {0: publish(0.2), 80: publish(0.0)})
+    assert lockstep.world.odometry()[0] > 0.1
+    reset = json.dumps({"op": "publish", "topic": RESET_ODOMETRY, "msg": {}}).encode() + b"\n"
+    steps(lockstep, 1, {100: reset})
+    assert lockstep.world.odometry()[:3] == pytest.approx((0.0, 0.0, 0.0), abs=1e-3)

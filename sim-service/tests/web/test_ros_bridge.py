@@ -15,6 +15,8 @@ import roslibpy
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from roslibpy.core import ServiceException
+from roslibpy.ros1.actionlib import ActionClient as ActionlibClient
+from roslibpy.ros1.actionlib import Goal as ActionlibGoal
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed
 
@@ -277,6 +279,43 @@ def test_roslibpy_lists_drives_and_hears_the_bumper(config: Config) -> None:
             assert "does not exist" in result["error"]
 
     asyncio.run(tell())
+
+
+def test_roslibpy_has_the_robot_dock_as_on_ros_1_and_ros_2(config: Config) -> None:
+    async def tell() -> None:
+        async with serving(config) as (address, _), opened(address) as page:
+            session = (await page.op("hello"))["session"]
+            await page.send("world", world=IN_ITS_DOCK)
+            await page.until(lambda m: m["op"] == "frame" and m["channels"].get("Charger") == [2])
+            host, _, port = address.partition(":")
+            results = await asyncio.to_thread(_dock, host, int(port), session)
+            docked = {"text": "Arrived on docking station successfully."}
+            assert results == [docked, docked]
+
+    asyncio.run(tell())
+
+
+IN_ITS_DOCK = {
+    "name": "docked",
+    "size": [4, 4],
+    "start": {"x": 2, "y": 2, "theta": 0},
+    "dock": {"x": 2, "y": 2, "theta": 0},
+}
+
+
+def _dock(host: str, port: int, session: str) -> list[Any]:
+    ros = roslibpy.Ros(f"ws://{host}:{port}/rosbridge/{session}")
+    ros.run(timeout=PATIENCE)
+    found: list[Any] = []
+    client = roslibpy.ActionClient(ros, "/dock_drive_action", "kobuki_msgs/action/AutoDocking")
+    goal = client.send_goal(roslibpy.Goal({}), lambda result: found.append(result["values"]), print, print)
+    client.wait_goal(goal, PATIENCE)
+    as_ros_1 = ActionlibClient(ros, "/dock_drive_action", "kobuki_msgs/AutoDockingAction")
+    pursued = ActionlibGoal(as_ros_1, {})
+    pursued.send()
+    found.append(dict(pursued.wait(PATIENCE)))
+    ros.close()
+    return found
 
 
 def _teleoperate(host: str, port: int, session: str, result: dict[str, Any]) -> None:

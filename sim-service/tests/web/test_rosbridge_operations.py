@@ -16,7 +16,9 @@ import pytest
 
 from rosy_sim.web.sessions.simulator.ros_bridge import RosBridge, RosClient
 from rosy_sim.wire.ros.rosbridge import MAX_SUBSCRIPTIONS
-from rosy_sim.world.events import Command, velocity
+from rosy_sim.world.events import Command, GiveGoal, TakeBackGoal, velocity
+
+from ..conftest import hall
 
 Message = dict[str, Any]
 
@@ -104,7 +106,7 @@ REFUSALS: list[tuple[str, Message, Message]] = [
     ("a fragment behind the last one", {"op": "fragment", "id": "a", "data": "{", "num": 2, "total": 2}, ERROR),
     # What this server does not have.
     ("png from a client", {"op": "png", "data": ""}, ERROR),
-    ("an action", {"op": "send_action_goal", "action": "/a", "action_type": "a/B"}, ERROR),
+    ("an action", {"op": "advertise_action", "action": "/a", "type": "a/B"}, ERROR),
     ("an unknown operation", {"op": "fly"}, ERROR),
 ]
 
@@ -417,3 +419,37 @@ def test_a_fragmented_message_may_contain_the_word_fragment_and_be_none(bridge: 
     assert len(peer.commands) == sent + 1
     inner = json.dumps({"op": "fragment", "id": "b", "data": "{", "num": 0, "total": 1})
     assert peer.say(op="fragment", id="c", data=inner, num=0, total=1)[0]["level"] == "error"
+
+
+def test_a_client_gives_a_goal_to_the_robots_own_program(bridge: RosBridge) -> None:
+    world = hall(dock={"x": 11, "y": 10, "theta": 0})
+    peer, other = Peer(bridge), Peer(bridge)
+    goal = {"action": "dock_drive_action", "action_type": "kobuki_msgs/AutoDocking"}
+
+    def pass_time(steps: int) -> list[Message]:
+        for command in peer.commands:
+            assert isinstance(command, GiveGoal | TakeBackGoal)
+            world.apply(command)
+        peer.commands.clear()
+        for _ in range(steps):
+            world.integrate()
+            bridge.post_replies(world.actions, 0.0)
+        return peer.got()
+
+    peer.say(op="send_action_goal", id="1", feedback=True, **goal)
+    heard = pass_time(100)
+    assert {message["op"] for message in heard} == {"action_feedback"}
+    assert {(message["id"], message["action"]) for message in heard} == {("1", "dock_drive_action")}
+    peer.say(op="cancel_action_goal", id="1", action="dock_drive_action")
+    cancelled = {"op": "action_result", "id": "1", "action": "dock_drive_action", "status": 5, "result": True}
+    assert pass_time(1) == [{**cancelled, "values": {"text": "Cancelled: Cancel requested."}}]
+    peer.say(op="send_action_goal", id="2", **goal)
+    # Without `feedback` there is none.
+    assert [(message["id"], message["status"]) for message in pass_time(2000)] == [("2", 4)]
+    assert other.got() == []
+    assert peer.say(op="cancel_action_goal", id="2", action="dock_drive_action") == [
+        {**ERROR, "msg": "no goal has this id", "id": "2"}
+    ]
+    assert peer.say(op="send_action_goal", action="/a") == [
+        {**ERROR, "msg": "a goal needs an id, an action and an action_type"}
+    ]

@@ -467,6 +467,16 @@ export const tasks: readonly BlockSpec[] = [
     tooltip: words.tasks.curves,
     hasDefinition: true,
   })),
+  call("step_dock", "dock", () => ({
+    sockets: [],
+    words: words.tasks.dock,
+    tooltip: words.tasks.docks,
+  })),
+  call("step_undock", "undock", () => ({
+    sockets: [],
+    words: words.tasks.undock,
+    tooltip: words.tasks.undocks,
+  })),
   call("step_either_or", "eitherOr", () => ({
     sockets: [
       {name: "X", words: words.tasks.either, aria: words.tasks.oneStep, hint: words.tasks.task},

@@ -319,6 +319,12 @@ export const blocks: Pick<
     metresLeft: "m links",
     goesTo:
       "Dreht sich zu einem Ort, fährt gerade hin und bleibt stehen. Gemessen wird von dort, wo das Programm begann; eine negative Zahl ist hinten oder rechts. Beispiel: fahre zu 1 m vorn, 0,5 m links.",
+    dock: "fahre in die Ladestation",
+    docks:
+      "Fährt in die Ladestation, wenn der Roboter sie sieht, und bleibt stehen. Gib dem Ergebnis einen Namen, um zu erfahren, ob es geklappt hat: Succeeded (), Aborted, Unavailable. Beispiel: fahre bis zu einem Stoß, dann in die Ladestation.",
+    undock: "verlasse die Ladestation",
+    undocks:
+      "Verlässt die Ladestation: 30 cm zurück, oder so, wie es der Roboter selbst macht. Beispiel: verlasse die Ladestation, dann fahre 50 Zentimeter.",
     curve: "fahre und drehe",
     untilAnObstacle: "Grad je Sekunde bis zu einem Stoß oder einer Kante",
     degreesASecond: "Grad je Sekunde",

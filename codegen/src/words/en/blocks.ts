@@ -297,6 +297,12 @@ export const blocks = {
     metresLeft: "m to the left",
     goesTo:
       "Turns towards a place, drives straight to it and stands still. It is measured from where the program started; a negative number is behind or to the right. Example: go to 1 m ahead, 0.5 m to the left.",
+    dock: "drive into the dock",
+    docks:
+      "Drives into the charging dock, if the robot sees it, and stands still. Give its result a name to find out whether it worked: Succeeded (), Aborted, Unavailable. Example: drive until a bump, then drive into the dock.",
+    undock: "leave the dock",
+    undocks:
+      "Leaves the charging dock: backs up 30 cm, or as the robot itself does it. Example: leave the dock, then drive 50 centimetres.",
     curve: "drive and turn",
     untilAnObstacle: "degrees a second until a bump or an edge",
     degreesASecond: "degrees a second",

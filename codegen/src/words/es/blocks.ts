@@ -313,6 +313,12 @@ export const blocks: Pick<
     metresLeft: "m a la izquierda",
     goesTo:
       "Gira hacia un lugar, va recto hasta él y se detiene. Se mide desde donde empezó el programa; un número negativo es detrás o a la derecha. Ejemplo: ir a 1 m delante, 0,5 m a la izquierda.",
+    dock: "entrar en la base",
+    docks:
+      "Entra en la base de carga, si el robot la ve, y se detiene. Da un nombre al resultado para saber si ha funcionado: Succeeded (), Aborted, Unavailable. Ejemplo: avanzar hasta chocar, después entrar en la base.",
+    undock: "salir de la base",
+    undocks:
+      "Sale de la base de carga: retrocede 30 cm, o como lo hace el propio robot. Ejemplo: salir de la base, después avanzar 50 centímetros.",
     curve: "avanzar y girar",
     untilAnObstacle: "grados por segundo hasta un choque o un borde",
     degreesASecond: "grados por segundo",

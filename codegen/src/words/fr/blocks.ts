@@ -318,6 +318,12 @@ export const blocks: Pick<
     metresLeft: "m à gauche",
     goesTo:
       "Se tourne vers un endroit, y va tout droit et s'arrête. La mesure part de là où le programme a commencé ; un nombre négatif est derrière ou à droite. Exemple : aller à 1 m devant, 0,5 m à gauche.",
+    dock: "aller dans la station",
+    docks:
+      "Va dans la station de charge, si le robot la voit, et s'arrête. Donne un nom au résultat pour savoir si cela a marché : Succeeded (), Aborted, Unavailable. Exemple : avancer jusqu'au choc, puis aller dans la station.",
+    undock: "quitter la station",
+    undocks:
+      "Quitte la station de charge : recule de 30 cm, ou comme le robot le fait lui-même. Exemple : quitter la station, puis avancer de 50 centimètres.",
     curve: "avancer et tourner de",
     untilAnObstacle: "degrés par seconde jusqu'à un choc ou un bord",
     degreesASecond: "degrés par seconde",

@@ -312,6 +312,12 @@ export const blocks: Pick<
     metresLeft: "m à esquerda",
     goesTo:
       "Vira para um lugar, vai reto até ele e para. Mede-se de onde o programa começou; um número negativo é atrás ou à direita. Exemplo: vá a 1 m à frente, 0,5 m à esquerda.",
+    dock: "entre na base",
+    docks:
+      "Entra na base de carga, se o robô a vê, e para. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ande até bater, depois entre na base.",
+    undock: "saia da base",
+    undocks:
+      "Sai da base de carga: volta 30 cm, ou como o próprio robô faz. Exemplo: saia da base, depois ande 50 centímetros.",
     curve: "ande e vire",
     untilAnObstacle: "graus por segundo até uma batida ou uma beira",
     degreesASecond: "graus por segundo",

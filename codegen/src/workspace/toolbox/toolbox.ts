@@ -14,6 +14,7 @@ import {
   motionItems,
   numbers,
   random,
+  robotActionItems,
   taskItems,
   types,
 } from "./toolbox_language_items.ts"
@@ -91,7 +92,7 @@ export function toolbox(level: Level): ToolboxCategory[] {
         all.states,
         all.commands,
         all.memory,
-        all.tasks,
+        {...all.tasks, items: [...taskItems(), ...robotActionItems()]},
         all.numbers,
         all.choices,
         all.lists,

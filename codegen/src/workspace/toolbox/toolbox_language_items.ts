@@ -107,6 +107,13 @@ export const taskItems = perLanguage((): readonly ToolboxItem[] => [
   item(words.toolbox.raceTheFirstToEndWins, call("race", 2)),
 ])
 
+/// What the robot's own programs do: actions of ROS.
+export const robotActionItems = perLanguage((): readonly ToolboxItem[] => [
+  item(words.toolbox.motion.dock, make("step_dock")),
+  item(words.toolbox.motion.undock, make("step_undock")),
+  item(words.toolbox.motion.dockOutcome, make("step_bind", {}, {P: named("outcome"), X: ref("dock")})),
+])
+
 export const numbers = perLanguage((): readonly ToolboxItem[] => [
   item(words.toolbox.number, num("0.5")),
   item(words.toolbox.plus, infix("+")),

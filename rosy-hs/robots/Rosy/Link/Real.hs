@@ -27,7 +27,7 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
 import Control.Exception (throwIO)
-import Control.Monad (forM_, when, (>=>))
+import Control.Monad (forM_, unless, when, (>=>))
 import Data.IORef
 import Data.Maybe (isNothing)
 import qualified Data.Text as T
@@ -118,6 +118,7 @@ realLink clock' seconds control' connection' = do
         answer = answerBatch run,
         end = \a _ -> do
           mapM_ (drive run) (answerActions a)
+          cancelGoals connection'
           haltRobot control' connection',
         atWork = const (pure ()),
         atRest = pure ()
@@ -182,6 +183,8 @@ answerBatch run a = do
   when tick $ do
     t <- now (clock run)
     guarding run (onTick t) >>= mapM_ (sendCommand (connection run))
+    drives <- mayBeDriven <$> readTVarIO (guarded (control run))
+    unless drives (cancelGoals (connection run))
     guarding run (noticeMotion t) >>= mapM_ (motionNotice (connection run) >=> complain run)
 
 -- | Messages of an event for the program, in order; notices go to the terminal.
@@ -211,7 +214,10 @@ drive run a = do
   case a of
     SayCommand (Say s) -> putStrLn s
     _ -> pure ()
-  forM_ (resolveCommand (connection run) a) $ \a' -> now (clock run) >>= \t -> guarding run (onCommand t a') >>= mapM_ (sendCommand (connection run))
+  drives <- mayBeDriven <$> readTVarIO (guarded (control run))
+  case callsServer a of
+    Just frame | not drives -> refuseCall (connection run) frame mayNotDrive
+    _ -> forM_ (resolveCommand (connection run) a) $ \a' -> now (clock run) >>= \t -> guarding run (onCommand t a') >>= mapM_ (sendCommand (connection run))
 
 guarding :: RealRun -> (Guard -> (b, Guard)) -> IO b
 guarding run f = atomically (stateTVar (guarded (control run)) f)

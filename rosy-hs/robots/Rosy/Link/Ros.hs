@@ -71,6 +71,8 @@ withRos settings name asksType plain use = withNodeIn settings "rosy" $ do
             sendCommand = \case
               OpenAction topic message -> readTVarIO (sent own) >>= mapM_ ($ message) . Map.lookup topic
               Action c fields -> forM_ (Map.lookup (channelNumber c) publishers) ($ fields),
+            cancelGoals = pure (),
+            refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents hearing,
             unreadableMessages = unreadableSoFar hearing,
             velocityTopic = pure (fmap (\r -> (routeTopic r, routeType r)) (routeFor known velocityChannel))

@@ -67,6 +67,8 @@ withRosbridge host port path asksType known use = do
                 frame <- stateTVar held (encodeCommand routes' time a)
                 isConnected <- readTVar (isOpen link)
                 when isConnected (mapM_ (writeTQueue (outgoing link) . Just) frame),
+            cancelGoals = pure (),
+            refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents (hearing link),
             unreadableMessages = unreadableSoFar (hearing link),
             velocityTopic = fmap (\r -> (routeTopic r, routeType r)) . (`routeFor` velocityChannel) <$> readTVar (currentRoutes link)

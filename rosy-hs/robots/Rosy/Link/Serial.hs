@@ -78,6 +78,8 @@ withSerial device use = do
             sendCommand = \a -> do
               t <- bootSeconds
               atomically (updateSetpoints setpoints t a),
+            cancelGoals = pure (),
+            refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents hearing,
             unreadableMessages = unreadableSoFar hearing,
             velocityTopic = pure Nothing

@@ -30,11 +30,13 @@ module Rosy.Robots.Connection
     stillness,
     motionNotice,
     neverRan,
+    mayNotDrive,
   )
 where
 
 import Control.Concurrent.STM
 import Control.Monad (unless)
+import Data.Aeson (Value)
 import Data.Fixed (mod')
 import Data.List (nubBy)
 import qualified Data.Text as Text
@@ -60,6 +62,10 @@ data Connection = Connection
     registerTopics :: [Topic] -> IO [Sentence],
     -- | Queues a command. Does not block and does not fail; a command that cannot be sent is dropped.
     sendCommand :: Action -> IO (),
+    -- | Takes back the goals of actions that are under way.
+    cancelGoals :: IO (),
+    -- | Answers a call of an action or service with a reason instead of carrying it out.
+    refuseCall :: Value -> Text.Text -> IO (),
     -- | All events since the last call; blocks until there is one.
     takeEvents :: STM [RobotEvent],
     -- | Of the robot's messages, those that could not be read.
@@ -183,6 +189,10 @@ stillness :: Maybe (Text.Text, Text.Text) -> Sentence
 stillness topic = case topic of
   Nothing -> tr "it has been told to drive for a second and does not move. Is something holding it, or are its motors off?"
   Just (name, kind) -> trWith "it has been told to drive for a second and does not move. Is something holding it, are its motors off or its emergency stop pressed, does another program drive it, or does it not listen to {type} on {topic}?" ["type" =: kind, "topic" =: name]
+
+-- | Why an action is not begun, or a service not called.
+mayNotDrive :: Text.Text
+mayNotDrive = "the robot may not drive now: it is stopped, lost, or held by the safety rules"
 
 -- | Why a run did nothing.
 neverRan :: Sentence

@@ -1,3 +1,5 @@
+{-# LANGUAGE PatternSynonyms #-}
+
 -- |
 -- Module      : Rosy.Robots.Guard
 -- Description : Speed limits, repetition and safety rules between a program and the wheels.
@@ -19,6 +21,8 @@ module Rosy.Robots.Guard
     isConnected,
     isArmed,
     isEvading,
+    mayBeDriven,
+    callsServer,
     isSafe,
 
     -- * Events
@@ -37,8 +41,10 @@ module Rosy.Robots.Guard
   )
 where
 
+import Data.Aeson (Value)
 import Data.Maybe (fromMaybe)
 import Rosy.Channel (Action, Message)
+import Rosy.Request (Request (..), readRequest, pattern RequestAction)
 import Rosy.Robot
 import Rosy.Robots.Connection (RobotEvent (..), withoutEvents)
 import Rosy.Robots.Safety
@@ -144,6 +150,18 @@ freshMessages :: Double -> [Message] -> Guard -> (([Message], [Action]), Guard)
 freshMessages t ms g = ((if t < staleUntil after then withoutEvents ms else ms, actions), after)
   where
     (actions, after) = afterAbsence t g
+
+-- | Whether commands of the program move the robot: it is there, no person or rule holds its wheels.
+mayBeDriven :: Guard -> Bool
+mayBeDriven g = connected g && not (halted g) && armed g && not (isEvading g)
+
+-- | Whether a command calls an action or a service, which a robot that may not drive does not do. A goal may always be taken back.
+callsServer :: Action -> Maybe Value
+callsServer a = case a of
+  RequestAction frame | Just request <- readRequest frame -> case request of
+    CancelGoal _ _ -> Nothing
+    _ -> Just frame
+  _ -> Nothing
 
 -- | Whether the safety rules own the wheels.
 isEvading :: Guard -> Bool

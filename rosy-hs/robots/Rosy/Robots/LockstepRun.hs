@@ -130,7 +130,10 @@ carry :: Lockstep -> Action -> IO ()
 carry run@Lockstep {..} a = do
   onProgramCommand observer a
   t <- timeNow pace
-  guarding run (onCommand t a) >>= mapM_ (sendCommand connection)
+  drives <- mayBeDriven <$> readTVarIO guarded
+  case callsServer a of
+    Just frame | not drives -> refuseCall connection frame mayNotDrive
+    _ -> guarding run (onCommand t a) >>= mapM_ (sendCommand connection)
 
 -- | Sends lines to the program, which may be gone.
 say :: Lockstep -> Builder.Builder -> IO ()
@@ -210,6 +213,8 @@ steps run@Lockstep {..} n early = do
           when (n `mod` tickSteps == 0) $ do
             t' <- timeNow pace
             guarding run (onTick t') >>= mapM_ (sendCommand connection)
+            drives <- mayBeDriven <$> readTVarIO guarded
+            unless drives (cancelGoals connection)
             guarding run (noticeMotion t') >>= mapM_ (motionNotice connection >=> onNotice observer)
           steps run (n + 1) []
 
@@ -220,6 +225,7 @@ listenToTheEnd run = listen run >>= maybe (listenToTheEnd run) pure
 -- | Halts the wheels. The number is how many steps the program has answered.
 ended :: Lockstep -> Int -> RunEnd -> IO LockstepResult
 ended run@Lockstep {..} n e = do
+  cancelGoals connection
   guarding run haltWheels >>= mapM_ (sendCommand connection)
   came <- readIORef present
   LockstepResult (if came || e /= Stopped then e else NeverRan) n <$> readIORef pose

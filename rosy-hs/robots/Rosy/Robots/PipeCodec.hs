@@ -36,6 +36,7 @@ import Rosy.Channel (Action (..), Message (..))
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Sentence (Sentence, verbatim)
+import Rosy.Request (readRequest, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 import Rosy.Wire (pipeRoutes)
 
@@ -65,6 +66,7 @@ sensorLine :: Message -> Builder
 sensorLine (OpenMessage name message)
   | Text.pack name `elem` map routeTopic (sensorRoutes pipeRoutes) = mempty
   | otherwise = publication (Text.pack name) (fromEncoding (value message))
+sensorLine (ReplyMessage frame) = fromEncoding (value frame) <> "\n"
 sensorLine (Message c fields) = case routeFor pipeRoutes c of
   Just route -> publication (routeTopic route) (fromEncoding (encode route fields))
   -- A robot may sense what the simulated one does not have.
@@ -74,6 +76,7 @@ sensorLine (Message c fields) = case routeFor pipeRoutes c of
 commandLine :: Action -> Maybe Builder
 commandLine a = case a of
   OpenAction name message -> Just (publication (Text.pack name) (fromEncoding (value message)))
+  RequestAction frame -> Just (fromEncoding (value frame) <> "\n")
   Action c fields -> (\route -> publication (routeTopic route) (fromEncoding (encode route fields))) <$> routeFor (commandRoutes pipeRoutes) c
 
 publication :: Text -> Builder -> Builder
@@ -119,6 +122,7 @@ programLine observes o = do
   case op :: Text of
     "publish" -> fmap Commands (wanted <$> o .: "topic" <*> o .: "msg")
     "settled" -> Settled <$> report
+    _ | Just _ <- readRequest (Object o) -> pure (Commands (RequestAction (Object o)))
     "ready" -> pure Ready
     "advertise" -> DeclaresTopic <$> named Sent
     "subscribe" -> DeclaresTopic <$> named Taken

@@ -35,6 +35,7 @@ import Rosy.Link.Ros
 import Rosy.Link.Rosbridge
 import Rosy.Link.Serial
 import Rosy.Problem
+import Rosy.Robots.ActionClient
 import Rosy.Robots.ArmPrompt (startArmPrompt)
 import Rosy.Robots.Connection
 import Rosy.Robots.DriverLock (withDriverLock)
@@ -51,7 +52,16 @@ import System.Posix.Signals (Handler (..), Signal, installHandler, sigHUP, sigIN
 
 -- | Connects to the robot of an address while an action runs.
 withConnection :: Target -> (Connection -> IO a) -> IO a
-withConnection target use = case targetTransport target of
+withConnection target use = connected target (withActions carrier (profileVariables (targetProfile target)) use)
+  where
+    carrier = case targetTransport target of
+      Serial _ -> NoCarrier
+      Ros1 _ _ -> TopicsOfActionlib False
+      _ | isRos2 (targetProfile target) -> FramesOfRos2
+      _ -> TopicsOfActionlib True
+
+connected :: Target -> (Connection -> IO a) -> IO a
+connected target use = case targetTransport target of
   Rosbridge host port path -> withRosbridge host port path (isNothing (targetStamped target)) (targetRoutes target) use
   Serial device -> withSerial device use
   -- A bridge on this computer speaks rosbridge's protocol. For people the robot is at the address that they gave.

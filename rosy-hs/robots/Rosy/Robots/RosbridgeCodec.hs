@@ -52,6 +52,7 @@ import Rosy.Channel (Action, Message)
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Profile (Delivery (..))
+import Rosy.Request (callPrefix, isReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Robot (Velocity (..), pattern VelocityCommand)
 import Rosy.Robots.JsonOfServers (readJson)
 import Rosy.Robots.UnreadableMessages (Unreadable (..))
@@ -94,6 +95,7 @@ topicFrames topics = [Aeson.encode (object ["op" .= operation (topicUse t), "top
 -- | The frame of a command at a time of the robot's clock, seconds, with what is held for the next; none for what the robot does not have.
 encodeCommand :: [Route] -> Double -> Action -> Held -> (Maybe L.ByteString, Held)
 encodeCommand _ _ (OpenAction name message) held = (Just (Aeson.encode (object ["op" .= ("publish" :: Text), "topic" .= name, "msg" .= message])), held)
+encodeCommand _ _ (RequestAction frame) held = (Just (Aeson.encode frame), held)
 encodeCommand known time a held = first (fmap frame) (commandMessage known a held)
   where
     frame (r, message) = encodingToLazyByteString . pairs $ case routeDelivery r of
@@ -203,6 +205,7 @@ decodeFrame known taken bytes = case readJson bytes of
     Just "publish" -> nothing {frameUnreadable = Just (Unreadable "" "a message without a topic or content")}
     Just "status" | parseMaybe (.: "level") o `elem` map Just ["error", "warning" :: Text] -> nothing {frameComplaint = verbatim <$> parseMaybe (.: "msg") o}
     Just "service_response" | Just (Just topic) <- T.stripPrefix questionPrefix <$> parseMaybe (.: "id") o -> nothing {frameType = Just (topic, answered o)}
+    Just op | isReply op, Just ident <- parseMaybe (.: "id") o, callPrefix `T.isPrefixOf` ident -> nothing {frameMessages = [ReplyMessage (Object o)]}
     Just "service_response" | parseMaybe (.: "result") o == Just False -> nothing {frameComplaint = failed (parseMaybe (.: "values") o) <$> parseMaybe (.: "service") o}
     Just _ -> nothing
     Nothing -> strange

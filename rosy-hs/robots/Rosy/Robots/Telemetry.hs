@@ -39,6 +39,7 @@ import Rosy.Profile
 import Rosy.Robot
 import Rosy.Robots.Connection (Notice (..), stillness, unknownReason)
 import Rosy.Sentence (Sentence, english, sentenceId)
+import Rosy.Request (pattern RequestAction)
 import Rosy.Topic (pattern OpenAction)
 
 -- | The known state of a robot.
@@ -149,6 +150,7 @@ commandsLine time names sent commands observed =
     ["op" .= ("commands" :: Text), "time" .= time, "fired" .= names, "sent" .= sent, "commands" .= map command commands]
       ++ concat [["backing" .= backing, "observed" .= told] | Just (backing, told) <- [observed]]
   where
+    command (RequestAction _) = object ["channel" .= Null, "values" .= ([] :: [Value])]
     command (OpenAction _ _) = object ["channel" .= Null, "values" .= ([] :: [Value])]
     command (Action c fields) = object ["channel" .= channelName c, "values" .= map fieldValue fields]
 

@@ -44,6 +44,8 @@ afterFreeze seconds = do
             connectionRoutes = [],
             registerTopics = const (pure []),
             sendCommand = const (pure ()),
+            cancelGoals = pure (),
+            refuseCall = \_ _ -> pure (),
             takeEvents = swapTVar queued [] >>= \events -> events <$ check (not (null events)),
             unreadableMessages = pure noneUnreadable,
             velocityTopic = pure Nothing

@@ -7,6 +7,7 @@ from ...world.robot import Robot
 from ..shared.dimensions import body_of, limits_of, scanner_of
 from ..shared.gyroscope import Gyroscope
 from .connector import Connector
+from .dock_drive import DOCK_ACTION, DockDrive
 from .dock_receivers import DockReceivers
 from .line_sensor import LineSensor
 from .power import Power
@@ -35,5 +36,6 @@ KOBUKI = Robot(
     },
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector, LineSensor),
+    actions={DOCK_ACTION: DockDrive},
     scanner=scanner_of("kobuki"),
 )

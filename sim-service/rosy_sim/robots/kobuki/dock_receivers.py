@@ -10,11 +10,11 @@ from __future__ import annotations
 
 import math
 
-from ...world.arena import Arena
+from ...world.arena import Arena, Pose
 from ...world.robot import Surroundings
 from .sensors import wrapped
 
-__all__ = ["DockReceivers"]
+__all__ = ["DockReceivers", "sees_dock"]
 
 RANGE, HALF_WIDTH = 5.0, 1.0
 """Depth and half the width of the docking area, m. kobuki_documentation, doc/specifications.rst: 2 m by 5 m."""
@@ -54,15 +54,29 @@ class DockReceivers:
         dock = robot.arena.dock
         if dock is None:
             return _NOTHING
+        flag = _beam(robot, dock)
         dx, dy = dock.x - robot.x, dock.y - robot.y
-        c, s = math.cos(dock.theta), math.sin(dock.theta)
-        flag = _region(dx * c + dy * s, dx * s - dy * c)
         distance, direction = math.hypot(dx, dy), math.atan2(dy, dx)
-        if flag and robot.free_distance(direction, distance) < distance - MARGIN:
-            flag = 0
         # In the dock there is no direction to it: it is straight ahead.
         bearing = wrapped(direction - robot.theta) if distance > 1e-3 else 0.0
         return {"DockInfraRed": tuple(flag if abs(wrapped(bearing - at)) <= HALF_VIEW else 0 for at in BEARINGS)}
+
+
+def sees_dock(robot: Surroundings) -> bool:
+    """Whether a beam of the dock reaches the robot, wherever it looks."""
+    dock = robot.arena.dock
+    return dock is not None and _beam(robot, dock) != 0
+
+
+def _beam(robot: Surroundings, dock: Pose) -> int:
+    """The flag of the region in which the robot is, or 0 where no beam of the dock reaches it."""
+    dx, dy = dock.x - robot.x, dock.y - robot.y
+    c, s = math.cos(dock.theta), math.sin(dock.theta)
+    flag = _region(dx * c + dy * s, dx * s - dy * c)
+    distance = math.hypot(dx, dy)
+    if flag and robot.free_distance(math.atan2(dy, dx), distance) < distance - MARGIN:
+        return 0
+    return flag
 
 
 def _region(depth: float, left: float) -> int:

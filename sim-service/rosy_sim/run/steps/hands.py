@@ -15,21 +15,22 @@ from typing import Any
 import msgspec
 
 from ...wire.topics import TopicMessage
-from ...world.events import Command, Lift, Move, Press, Teleport
+from ...world.events import Command, GiveGoal, Lift, Move, Press, TakeBackGoal, Teleport
 from ...world.world import ActionRefused
 from .lockstep import Lockstep
 from .velocity_guard import OFF, SafetySettings
 
 __all__ = ["Hand", "HandAction", "RecordedHands", "TimedHands", "apply_hand", "read_hands", "write_hands"]
 
-HandAction = Press | Lift | Teleport | Move | Command | TopicMessage | SafetySettings
+HandAction = Press | Lift | Teleport | Move | GiveGoal | TakeBackGoal | Command | TopicMessage | SafetySettings
 """An action on the robot, a message on a topic, or other settings of the safety rules."""
 
 TimedHands = Sequence[tuple[int, HandAction]]
 """Actions, each with the step before which it happened."""
 
 _KINDS: dict[str, type[HandAction]] = {
-    kind.__name__: kind for kind in (Press, Lift, Teleport, Move, Command, TopicMessage, SafetySettings)
+    kind.__name__: kind
+    for kind in (Press, Lift, Teleport, Move, GiveGoal, TakeBackGoal, Command, TopicMessage, SafetySettings)
 }
 
 _MAX_ACTIONS = 20_000

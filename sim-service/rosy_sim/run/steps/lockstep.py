@@ -22,10 +22,12 @@ from typing import Literal
 
 import msgspec
 
+from ...sentences.sentence import Sentence, tr
+from ...wire.action_frames import action_name, has_substitute, reply_frame, service_failure
 from ...wire.channels import Values
-from ...wire.link_messages import NO_FIRINGS, Ended, Ready, Settled
-from ...wire.robot_link import SimulatorLink, start_line, step_line, stop_line
-from ...wire.topics import CHANNELS, ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
+from ...wire.link_messages import NO_FIRINGS, CancelActionGoal, Ended, Ready, SendActionGoal, Settled
+from ...wire.robot_link import Request, SimulatorLink, start_line, step_line, stop_line
+from ...wire.topics import CHANNELS, ODOMETRY, RESET_ODOMETRY, TopicMessage, on_demand, reading_line, topic_message
 from ...world.events import VELOCITY_CHANNEL, Command, Reading
 from ...world.goals import GoalTracker, Observation
 from ...world.time_step import STEPS_PER_SECOND
@@ -35,7 +37,7 @@ from .command_conflicts import CommandConflict, CommandConflicts
 from .quiet_steps import MemoryRequest, QuietSteps
 from .velocity_guard import OFF, SafetySettings, Velocity, VelocityGuard
 
-__all__ = ["Lockstep", "State"]
+__all__ = ["PROGRAM", "Lockstep", "State", "no_such_server"]
 
 State = Literal["opening", "ready", "thinking", "settled", "ended"]
 
@@ -43,8 +45,16 @@ _encoder = msgspec.json.Encoder()
 
 _NO_CONFLICTS: tuple[CommandConflict, ...] = ()
 
+PROGRAM = "program"
+"""The client of ``World.actions`` that is the program."""
+
 GUARD_STEPS = 5
 """Steps between two ticks of the velocity guard: 10 Hz, as those of ``Rosy.Robots.Guard`` on a real robot."""
+
+
+def no_such_server(name: str) -> Sentence:
+    """Of an action or a service that the simulated robot does not have."""
+    return tr("The simulated robot has no action or service called {name}.", name=name)
 
 
 class Lockstep:
@@ -79,8 +89,12 @@ class Lockstep:
         # Whether the last step has made it certain that the robot pushes against something and does not move.
         self.is_blocked = False
         self._blocked_drive = BlockedDrive()
-        # Messages on topics of its own that the program gets in the next step.
-        self._posted: list[TopicMessage] = []
+        # Messages on topics of its own and replies to its calls that the program gets in the next step, as lines.
+        self._posted: list[bytes] = []
+        # The actions that it has called, as it names them, by the identifiers of its goals.
+        self._goals: dict[str, str] = {}
+        # The actions and services that it has called in the current step and that the robot does not have.
+        self.unavailable: list[str] = []
         self.settled: Settled | None = None
         # Whether the program was left out of the current step; set by sense().
         self.was_quiet = False
@@ -133,6 +147,10 @@ class Lockstep:
             self.commands = []
             self._actions = []
             self.published = []
+        if self.unavailable:
+            self.unavailable = []
+        if self._goals:
+            self._take_replies()
         self.conflicts = _NO_CONFLICTS
         self.settled = None
         self.was_quiet = False
@@ -160,7 +178,7 @@ class Lockstep:
             return late + ODOMETRY.line(world.odometry()) + last
         sensed = self._lines([*events, Reading(ODOMETRY.name, world.odometry())])
         # Messages of the program's own topics stand before the odometry.
-        sensed[-1:-1] = [message.line() for message in self._posted]
+        sensed[-1:-1] = self._posted
         self._posted = []
         return late + b"".join(sensed) + last
 
@@ -196,9 +214,37 @@ class Lockstep:
         return lines
 
     def post(self, message: TopicMessage) -> None:
-        """A message for the program, if it takes the topic: in the next step."""
+        """A message for the program, if it takes the topic: in the next step; or one that the robot obeys."""
+        if message.topic == RESET_ODOMETRY:
+            self.world.reset_odometry()
         if message.topic in self._link.subscribed:
-            self._posted.append(message)
+            self._posted.append(message.line())
+
+    def _take_replies(self) -> None:
+        for reply in self.world.actions.take_replies(PROGRAM):
+            if reply.kind == "result":
+                named = self._goals.pop(reply.ident, reply.action)
+            else:
+                named = self._goals.get(reply.ident, reply.action)
+            self._posted.append(_encoder.encode(reply_frame(reply, named)) + b"\n")
+
+    def _call(self, request: Request) -> None:
+        """The program calls an action or a service, or takes back a goal."""
+        actions = self.world.actions
+        if isinstance(request, SendActionGoal):
+            self._goals[request.id] = request.action
+            if not actions.send(PROGRAM, request.id, action_name(request.action)) and not has_substitute(request):
+                self.unavailable.append(request.action)
+        elif isinstance(request, CancelActionGoal):
+            self.cancel_goals(request.id)
+        else:
+            self.unavailable.append(request.service)
+            self._posted.append(_encoder.encode(service_failure(request.id, request.service)) + b"\n")
+
+    def cancel_goals(self, ident: str | None = None) -> None:
+        """Take back a goal of the program, or all of them: then the robot stands."""
+        if self.world.actions.cancel(PROGRAM, ident):
+            self.world.drive(0.0, 0.0)
 
     def feed(self, data: bytes) -> State:
         """
@@ -229,8 +275,11 @@ class Lockstep:
             elif isinstance(message, Ended):
                 self.ended = message
                 self.state = "ended"
+                self.cancel_goals()
                 self.world.listen("program", ())
                 self.world.listen("topics", ())
+            elif isinstance(message, Request):
+                self._call(message)
             else:
                 # As in ROS, a program that takes the topic gets its own messages as well.
                 self._actions.append(message)
@@ -254,6 +303,9 @@ class Lockstep:
         world = self.world
         if self.step % GUARD_STEPS == 0 and self.ended is None:
             self._drive(self._guard.tick(self.time))
+            if self._goals and self.is_overridden:
+                # The rules and the robot's own program would drive at once.
+                self.cancel_goals()
         world.integrate()
         self.step += 1
         self.is_blocked = self._blocked_drive.observe(world)

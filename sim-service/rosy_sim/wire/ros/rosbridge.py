@@ -5,7 +5,8 @@ Follows the protocol as RobotWebTools' rosbridge_suite (ROBOT side: ros1 0.11.17
 tell: topics are echoed as the client wrote them, `status` is only sent to clients that asked with `set_level`,
 latched values come at once, throttling is per topic, a subscription with another type than the topic's and a message
 with an unknown field are refused. What a client sends wrong is ignored, like there, and told to those who listen.
-`png` goes to clients only (its section 2), and actions are ROS 2's: from clients both are refused as unknown.
+`png` goes to clients only (its section 2): from clients it is refused as unknown. Actions are called as at a server of
+ROS 2 (3.2.12 to 3.2.15), and by the topics of ``actionlib.py``; clients offer none.
 Types without a definition in ``rosy-hs/ros/msg`` are taken as the client says.
 """
 
@@ -18,8 +19,10 @@ from typing import Any
 import msgspec
 
 from ...sentences.sentence import tr
-from ...world.events import Command
-from ..topics import COMMAND_TOPICS, LATCHED, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
+from ...world.action_goals import ActionReply
+from ...world.events import Command, GiveGoal, TakeBackGoal
+from ..action_frames import reply_frame
+from ..topics import COMMAND_TOPICS, LATCHED, RESET_ODOMETRY, SENSOR_TOPICS, BadMessage, TopicMessage, read_message
 from .ros_messages import message_fault
 from .rosapi import RosGraph, absolute_name, call_rosapi, short_type
 from .rosbridge_encodings import ENCODINGS, encode_publish, fragments, json_text
@@ -49,6 +52,8 @@ class Reply:
 
     texts: list[Frame] = field(default_factory=list)
     commands: list[Command | TopicMessage] = field(default_factory=list)
+    # Goals for the robot's own programs.
+    goals: list[GiveGoal | TakeBackGoal] = field(default_factory=list)
     forwards: list[tuple[RosbridgeClient, Frame]] = field(default_factory=list)
     # The messages on command topics, whole, for their subscribers.
     commanded: list[TopicMessage] = field(default_factory=list)
@@ -100,6 +105,12 @@ class RosbridgeGraph:
         self.latched: dict[str, Any] = {}
         # The clients that publish or have subscribed to each topic of clients.
         self._users: dict[str, set[int]] = {}
+        self._clients = 0
+
+    def next_name(self) -> str:
+        """A name that no client has had."""
+        self._clients += 1
+        return f"client {self._clients}"
 
     def use(self, topic: str, client: RosbridgeClient) -> None:
         """A client publishes a topic that is none of the robot's, or has subscribed to it."""
@@ -127,6 +138,10 @@ class RosbridgeClient:
         # Topics of its own that the client publishes, and those of them whose last message later subscribers get.
         self._advertised: set[str] = set()
         self._latching: set[str] = set()
+        # The name of this client as one that gives goals, and those of its goals that want feedback: their actions as
+        # it wrote them.
+        self.name = self._shared.next_name()
+        self._goals: dict[str, tuple[str, bool]] = {}
         self._fragments = FragmentBuffer()
         self._fragments_sent = 0
         self._level = 0
@@ -221,7 +236,33 @@ class RosbridgeClient:
                 status["id"] = message["id"]
             reply.texts.append(json_text(status))
 
+    def deliver_reply(self, answer: ActionReply) -> list[Frame]:
+        """The frames that say how a goal of this client gets on."""
+        action, wants_feedback = self._goals.get(answer.ident, (answer.action, False))
+        if answer.kind == "result":
+            self._goals.pop(answer.ident, None)
+        elif not wants_feedback:
+            return []
+        return [json_text(reply_frame(answer, action))]
+
     # One method per operation
+
+    def _send_goal(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
+        action, ident = message.get("action"), message.get("id")
+        if not isinstance(action, str) or not isinstance(message.get("action_type"), str) or not isinstance(ident, str):
+            self._report(reply, message, "a goal needs an id, an action and an action_type")
+        elif ident in self._goals or len(self._goals) >= MAX_SUBSCRIPTIONS:
+            self._report(reply, message, "a goal with this id is pursued, or there are too many goals")
+        else:
+            self._goals[ident] = (action, message.get("feedback") is True)
+            reply.goals.append(GiveGoal(self.name, ident, absolute_name(action)))
+
+    def _cancel_goal(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
+        ident = message.get("id")
+        if isinstance(ident, str) and ident in self._goals:
+            reply.goals.append(TakeBackGoal(self.name, ident))
+        else:
+            self._report(reply, message, "no goal has this id")
 
     def _subscribe(self, message: dict[str, Any], now: float, reply: Reply) -> None:
         topic = message.get("topic")
@@ -329,7 +370,7 @@ class RosbridgeClient:
                 self._report(reply, message, why)
                 return
             read = read_message(name, msg)
-            if isinstance(read, TopicMessage) and read.topic not in self._advertised:
+            if isinstance(read, TopicMessage) and read.topic not in (*self._advertised, RESET_ODOMETRY):
                 raise BadMessage(tr("{topic} is not advertised", topic=topic))
             reply.commands.append(read)
             if isinstance(read, TopicMessage) and (message.get("latch") is True or name in self._latching):
@@ -427,6 +468,8 @@ _HANDLERS = {
     "auth": RosbridgeClient._ignore,
     "fragment": RosbridgeClient._fragment,
     "call_service": RosbridgeClient._call,
+    "send_action_goal": RosbridgeClient._send_goal,
+    "cancel_action_goal": RosbridgeClient._cancel_goal,
     "advertise_service": RosbridgeClient._advertise_service,
     "unadvertise_service": RosbridgeClient._unadvertise_service,
     "service_response": RosbridgeClient._service_response,

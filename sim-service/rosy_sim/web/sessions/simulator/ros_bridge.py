@@ -10,14 +10,19 @@ import asyncio
 from collections import deque
 from collections.abc import Iterable
 
+from ....robots import DEFAULT_ROBOT
 from ....wire.channels import Values
+from ....wire.ros.actionlib import ACTIONLIB, KEPT_RESULTS, STATUS_STEPS, goal_of, reply_message, status_message
 from ....wire.ros.ros_messages import completed
 from ....wire.ros.rosbridge import Frame, Reply, RosbridgeClient, RosbridgeGraph
 from ....wire.topics import CHANNELS, COMMAND_TOPICS, LATCHED, ODOMETRY, TopicMessage, on_demand, topic_message
-from ....world.events import Command, Reading
+from ....world.action_goals import ActionGoals
+from ....world.events import Command, GiveGoal, Reading, TakeBackGoal
 from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
+
+_ACTIONS = DEFAULT_ROBOT.actions.keys()
 
 MAX_CLIENTS = 20
 """Connections of one session."""
@@ -58,6 +63,9 @@ class RosBridge:
         self._latched: dict[str, None] = {}
         self._latest: dict[str, Values] = {}
         self._seq = 0
+        # The latest results of goals on topics, and the calls of `post_replies`.
+        self._results: deque[TopicMessage] = deque(maxlen=KEPT_RESULTS)
+        self._steps = 0
 
     def __len__(self) -> int:
         return len(self._clients)
@@ -84,14 +92,37 @@ class RosBridge:
         self._clients.discard(client)
         self._forward(client.protocol.leave())
 
-    def receive(self, client: RosClient, text: str | bytes, now: float) -> list[Command | TopicMessage]:
-        """Serve a message; returns the commands in it, and the messages for others."""
+    def receive(
+        self, client: RosClient, text: str | bytes, now: float
+    ) -> list[Command | TopicMessage | GiveGoal | TakeBackGoal]:
+        """Serve a message; returns the commands and goals in it, and the messages for others."""
         reply = client.protocol.receive(text, now)
         client.put(reply.texts)
         self._forward(reply)
         for message in reply.commanded:
             self._post_completed(message, now)
-        return reply.commands
+        for command in reply.commands:
+            goal = goal_of(command, _ACTIONS) if isinstance(command, TopicMessage) else None
+            if goal is not None:
+                reply.goals.append(goal)
+        return [*reply.commands, *reply.goals]
+
+    def post_replies(self, actions: ActionGoals, now: float) -> None:
+        """Send to the clients how their goals get on, after a step."""
+        for client in self._clients:
+            for reply in actions.take_replies(client.protocol.name):
+                client.put(client.protocol.deliver_reply(reply))
+        graph = self._shared.graph
+        for reply in actions.take_replies(ACTIONLIB):
+            message = reply_message(reply, graph.time)
+            if reply.kind == "result":
+                self._results.append(message)
+            self.post(message, now)
+        self._steps += 1
+        if self._steps % STATUS_STEPS == 0:
+            for action in actions.names:
+                if f"{action}/status" in graph.own_topics:
+                    self.post(status_message(action, actions.pursued_for(ACTIONLIB), [*self._results], graph.time), now)
 
     def post_command(self, command: Command, now: float) -> None:
         """Send a command of the program to the clients that have subscribed to its topic."""

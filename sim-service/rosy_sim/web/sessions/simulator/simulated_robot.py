@@ -10,12 +10,12 @@ from functools import partial
 
 from ....run.page_run import PageRun
 from ....run.simulated_run import SimulatedRun
-from ....run.steps.lockstep import Lockstep
+from ....run.steps.lockstep import Lockstep, no_such_server
 from ....sentences.sentence import Sentence, tr
 from ....wire import page
-from ....wire.topics import BadMessage, TopicMessage
+from ....wire.topics import RESET_ODOMETRY, BadMessage, TopicMessage
 from ....wire.user_input import published, user_actions
-from ....world.events import Command, Reading
+from ....world.events import Command, GiveGoal, Reading, TakeBackGoal
 from ....world.time_step import STEPS_PER_SECOND
 from ....world.world import ActionRefused, World
 from ....worlds.gallery import DEFAULT_WORLD, named_world, usable_world
@@ -135,21 +135,29 @@ class SimulatedRobot:
     def leave(self, client: RosClient) -> None:
         """A ROS client has disconnected."""
         self.bridge.leave(client)
+        self.hands.between_steps(partial(self._publish, TakeBackGoal(client.protocol.name)))
 
     def receive_ros(self, client: RosClient, text: str | bytes) -> None:
         """Serve one message of a ROS client."""
         for message in self.bridge.receive(client, text, self._now()):
             self.hands.between_steps(partial(self._publish, message))
 
-    def _publish(self, message: Command | TopicMessage) -> None:
-        """A person or a ROS client publishes a message: a command, or for the program and all ROS clients."""
+    def _publish(self, message: Command | TopicMessage | GiveGoal | TakeBackGoal) -> None:
+        """A person or a ROS client publishes: a command, a goal, or a message for the program and all ROS clients."""
+        if isinstance(message, TakeBackGoal) and not self.world.actions.is_pursuing:
+            return
         self.hands.record(message)
+        if isinstance(message, GiveGoal | TakeBackGoal):
+            self.world.apply(message)
+            return
         if isinstance(message, Command):
             self._obey(message)
             return
         run = self.run()
         if run is not None:
             run.post(message)
+        elif message.topic == RESET_ODOMETRY:
+            self.world.reset_odometry()
         self.on_message(message)
 
     def _obey(self, command: Command) -> None:
@@ -173,11 +181,15 @@ class SimulatedRobot:
         self.steps += 1
         has_clients = bool(self.bridge)
         self.world.listen("ros", self.bridge.wanted() if has_clients else ())
+        if has_clients:
+            self.bridge.post_replies(self.world.actions, self._now())
         if events or has_clients:
             self.bridge.publish(events, self.world.odometry(), self.steps / STEPS_PER_SECOND, self._now())
 
     def on_step(self, lockstep: Lockstep) -> None:
         """A step of a program has passed."""
+        for name in lockstep.unavailable:
+            self._refuse(no_such_server(name), None)
         if self.bridge:
             for command in lockstep.commands:
                 self.bridge.post_command(command, self._now())

@@ -1,0 +1,244 @@
+{-# LANGUAGE AllowAmbiguousTypes #-}
+{-# LANGUAGE DeriveGeneric #-}
+{-# LANGUAGE FlexibleContexts #-}
+{-# LANGUAGE FunctionalDependencies #-}
+{-# LANGUAGE OverloadedStrings #-}
+{-# LANGUAGE PatternSynonyms #-}
+{-# LANGUAGE ScopedTypeVariables #-}
+
+-- |
+-- Module      : Rosy.Action
+-- Description : Tasks that a robot's own programs carry out: actions and services of ROS (rule R26).
+--
+-- > data Count = Count Int
+-- > newtype Counting = Counting [Int]
+-- > newtype Counted = Counted [Int]
+-- >
+-- > instance Action Count Counting Counted where
+-- >   action = actionServer "/fibonacci" "actionlib_tutorials/Fibonacci" (\(Count n) -> [("order", whole n)]) (Counting <$> field "sequence") (Counted <$> field "sequence")
+-- >
+-- > main = simulate $ do
+-- >   outcome <- callAction (Count 5)
+-- >   …
+--
+-- A call is an ordinary task: its start sends the goal, its controller takes the replies, and its clean-up cancels the goal. A goal and
+-- its replies travel on two channels that all links carry. A link that cannot reach a server answers that there is none; no call waits in silence.
+module Rosy.Action
+  ( -- * An action
+    Action (..),
+    ActionServer,
+    actionServer,
+    callAction,
+    Outcome (..),
+
+    -- * A service
+    Service (..),
+    ServiceServer,
+    serviceServer,
+    callService,
+
+    -- * Actions of the robot
+    dock,
+    undock,
+    driveDistance,
+    rotateAngle,
+  )
+where
+
+import Control.Exception (throw)
+import Data.Aeson (Value (..), object, (.!=), (.:), (.:?))
+import qualified Data.Aeson as Aeson
+import qualified Data.Aeson.KeyMap as KeyMap
+import Data.Aeson.Types (parseMaybe)
+import qualified Data.ByteString.Lazy as Lazy
+import Data.Scientific (toBoundedInteger)
+import Data.Text (Text)
+import qualified Data.Text as Text
+import GHC.Generics (Generic)
+import Rosy.Command
+import Rosy.Controller hiding (parts)
+import Rosy.Core (Effect (Act), Effects (Then), channelInterest, pattern Plain)
+import qualified Rosy.Core as Core
+import Rosy.Geometry
+import Rosy.Motion (drive, turn)
+import Rosy.Problem (Fault (Unreadable))
+import Rosy.Request (Request (..), callPrefix, replyChannel, requestFrame, pattern ReplyMessage, pattern RequestAction)
+import Rosy.Robot (Velocity (..))
+import Rosy.Sense (event)
+import Rosy.Sensor
+import Rosy.Task
+import Rosy.Topic
+import qualified Rosy.Value as Rosy
+import System.Random (StdGen, randomR)
+
+-- ---------------------------------------------------------------------------------------------
+-- Servers
+
+-- | Where an action is carried out, and how its goal, feedback and result are messages.
+data ActionServer goal feedback result = ActionServer Text Text (goal -> [(String, Content)]) (Fields feedback) (Fields result)
+
+-- | The action of this name and type, @package\/Action@, with the fields of a goal, of its feedback and of its result.
+actionServer :: String -> String -> (goal -> [(String, Content)]) -> Fields feedback -> Fields result -> ActionServer goal feedback result
+actionServer name kind = ActionServer (Text.pack (absolute name)) (Text.pack kind)
+
+-- | Types of goals that a program of the robot pursues. A goal's type decides the types of its feedback and of its result.
+class Action goal feedback result | goal -> feedback result where
+  -- | Who pursues it.
+  action :: ActionServer goal feedback result
+
+-- | Where a service is, and how its request and response are messages.
+data ServiceServer request response = ServiceServer Text Text (request -> [(String, Content)]) (Fields response)
+
+-- | The service of this name and type, @package\/Service@, with the fields of a request and of its response.
+serviceServer :: String -> String -> (request -> [(String, Content)]) -> Fields response -> ServiceServer request response
+serviceServer name kind = ServiceServer (Text.pack (absolute name)) (Text.pack kind)
+
+-- | Types of requests that a service answers. A request's type decides the type of its response.
+class Service request response | request -> response where
+  -- | Who answers it.
+  service :: ServiceServer request response
+
+-- | How an action or a call of a service ended.
+data Outcome a
+  = -- | The goal was reached, or the service has answered.
+    Succeeded a
+  | -- | The server did not accept it, for this reason.
+    Rejected String
+  | -- | The server gave it up, for this reason.
+    Aborted String
+  | -- | The server was asked to stop by another program.
+    Cancelled
+  | -- | There is no such server, or it cannot be reached, for this reason.
+    Unavailable String
+  deriving (Eq, Ord, Show, Read, Generic)
+
+instance Rosy.Value a => Rosy.Value (Outcome a)
+
+instance Rosy.Value a => Rosy.Default (Outcome a)
+
+instance Rosy.Value a => Sensor (Outcome a)
+
+instance Rosy.Value a => Command (Outcome a)
+
+-- ---------------------------------------------------------------------------------------------
+-- Calls
+
+-- | The task that pursues a goal: it gives 'Feedback' while it lasts, and ends with the outcome. When it is stopped the goal is cancelled.
+callAction :: forall goal feedback result. (Action goal feedback result, Rosy.Value feedback, Rosy.Value result) => goal -> Task (Outcome result)
+callAction goal = pursue (action :: ActionServer goal feedback result) goal
+
+pursue :: (Rosy.Value feedback, Rosy.Value result) => ActionServer goal feedback result -> goal -> Task (Outcome result)
+pursue (ActionServer name kind content feedback result) goal =
+  taskWithNamed (Name "callAction") (Name "callAction") (Name "callAction") taskOptions {starting = begin, stopped = cancel} hear
+  where
+    begin :: StdGen -> (Sending, Memory CallId)
+    begin = sending (\ident -> SendGoal ident name kind (contentValue (record (content goal))))
+    cancel (Memory (CallId ident)) = Sending (CancelGoal ident name)
+    hear reply (Memory ident)
+      | not (reply `answers` ident) = (Nothing, Nothing)
+      | replyOperation reply == "action_feedback" = (Just (Feedback (readContent name feedback (replyValues reply))), Nothing)
+      | otherwise = (Nothing, Just (Done (outcomeOf name result reply)))
+
+-- | The task that calls a service, and ends with the outcome.
+callService :: forall request response. (Service request response, Rosy.Value response) => request -> Task (Outcome response)
+callService request = taskNamed (Name "callService") (Name "callService") begin hear
+  where
+    ServiceServer name kind content response = service :: ServiceServer request response
+    begin = sending (\ident -> CallService ident name kind (contentValue (record (content request))))
+    hear reply (Memory ident)
+      | reply `answers` ident = Just (Done (outcomeOf name response reply))
+      | otherwise = Nothing
+
+-- | The identifier of a call.
+newtype CallId = CallId Text
+  deriving (Eq, Generic)
+
+instance Rosy.Value CallId where
+  display d (CallId ident) = Rosy.display d (Text.unpack ident)
+  settle budget (CallId ident) = ident `seq` budget - 1
+  initial _ = Just (CallId "")
+
+instance Rosy.Default CallId
+
+-- | A request on its way to the link.
+newtype Sending = Sending Request
+
+instance Command Sending where
+  -- Computed here, so that an error in a goal is blamed on the function that sends it.
+  command = Plain (\(Sending request) rest -> let frame = requestFrame request in Lazy.length (Aeson.encode frame) `seq` Then (Act (RequestAction frame)) rest)
+
+sending :: (Text -> Request) -> StdGen -> (Sending, Memory CallId)
+sending request gen = (Sending (request ident), Memory (CallId ident))
+  where
+    ident = callPrefix <> Text.pack (show (fst (randomR (0, 2 ^ (53 :: Int)) gen) :: Int))
+
+-- | What a server says of a request.
+data Reply = Reply {replyOperation :: Text, replyId :: Text, replyValues :: Value, replyStatus :: Maybe Int, isFailure :: Bool}
+
+instance Rosy.Value Reply where
+  display _ reply = showString (Text.unpack (replyOperation reply))
+  settle budget reply = reply `seq` budget - 1
+  initial _ = Nothing
+
+instance Sensor Reply where
+  sensor = event (channelInterest replyChannel) pick
+    where
+      pick occurrence = case occurrence of
+        Core.Sensed (ReplyMessage (Object o)) -> parseMaybe parts o
+        _ -> Nothing
+      parts o = do
+        succeeded <- o .:? "result"
+        status <- o .:? "status"
+        Reply <$> o .: "op" <*> o .: "id" <*> o .:? "values" .!= object [] <*> pure (status >>= toBoundedInteger) <*> pure (succeeded == Just False)
+
+answers :: Reply -> CallId -> Bool
+answers reply (CallId ident) = replyId reply == ident
+
+-- | How a call ended, by the status of ROS 2 (action_msgs\/msg\/GoalStatus): 4 succeeded, 5 cancelled, 6 aborted. rosbridge_suite
+-- says in words why a goal was not pursued (@rosbridge_library\/internal\/actions.py@).
+outcomeOf :: Text -> Fields a -> Reply -> Outcome a
+outcomeOf name fields reply
+  | isFailure reply = (if "rejected" `Text.isInfixOf` why then Rejected else Unavailable) (Text.unpack why)
+  | otherwise = case replyStatus reply of
+    Just 5 -> Cancelled
+    Just 6 -> Aborted (Text.unpack text')
+    _ -> Succeeded (readContent name fields (replyValues reply))
+  where
+    why = case replyValues reply of
+      String t -> t
+      _ -> ""
+    text' = case replyValues reply of
+      Object o | Just (String t) <- KeyMap.lookup "text" o -> t
+      _ -> ""
+
+readContent :: Text -> Fields a -> Value -> a
+readContent name fields = either (throw . Unreadable (Text.unpack name)) id . readFields fields
+
+-- ---------------------------------------------------------------------------------------------
+-- Actions of the robot
+
+-- | An action that the robot's description names, which tells its type.
+robotAction :: Text -> [(String, Content)] -> Task (Outcome ())
+robotAction name content = pursue (ActionServer name "" (const content) (pure ()) (pure ()) :: ActionServer () () ()) ()
+
+-- | Drive into the charging dock, which must be in sight, and stand still.
+dock :: Task (Outcome ())
+dock = once (Velocity 0 0) >> robotAction "dock" []
+
+-- | Leave the dock. A robot without such an action drives back 30 cm.
+undock :: Task (Outcome ())
+undock = robotAction "undock" [] `orElse` drive (-30)
+
+-- | Drive so many metres ahead (back if negative), by the robot's own action if it has one, and by 'drive' otherwise.
+driveDistance :: Meters -> Task (Outcome ())
+driveDistance distance = robotAction "drive_distance" [("distance", decimal distance), ("max_translation_speed", decimal 0.3)] `orElse` drive (metersToCentimeters distance)
+
+-- | Turn by so many degrees (left is positive), by the robot's own action if it has one, and by 'turn' otherwise.
+rotateAngle :: Degrees -> Task (Outcome ())
+rotateAngle angle = robotAction "rotate_angle" [("angle", decimal (degreesToRadians angle)), ("max_rotation_speed", decimal 1.9)] `orElse` turn angle
+
+orElse :: Task (Outcome ()) -> Task () -> Task (Outcome ())
+orElse own substitute =
+  own >>= \outcome -> case outcome of
+    Unavailable _ -> Succeeded () <$ substitute
+    _ -> pure outcome
