@@ -97,6 +97,7 @@ export type Notice =
   | {readonly kind: "newer-lesson"; readonly name: string; readonly version: number; readonly newest: number}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
   | {readonly kind: "no-film"}
+  | {readonly kind: "film-failed"}
   | {readonly kind: "no-reader"}
   /// `gone` are names of deleted programs that were removed for good to make room.
   | {readonly kind: "not-saved"; readonly gone: readonly string[]}
@@ -128,6 +129,11 @@ export interface ReplacedRoom {
   readonly by: string
   readonly own: string | WorldFile
 }
+
+/// A film of the room from now on, or one of the recorded run: how much of it is done, and how many times faster than the run it is.
+export type FilmInTheMaking =
+  | {readonly kind: "live"}
+  | {readonly kind: "run"; readonly percent: number; readonly pace: number}
 
 export interface PageState {
   readonly name: string
@@ -258,8 +264,8 @@ export interface PageState {
   readonly trail: TrailStyle
   /// The picture of the room goes with the robot.
   readonly follows: boolean
-  /// A film of the room is being made.
-  readonly films: boolean
+  /// The film that is being made; `null` when there is none.
+  readonly film: FilmInTheMaking | null
   readonly worlds: readonly string[]
   readonly layout: Layout
   /// The room that is being changed; `null` while none is.
@@ -336,7 +342,7 @@ export const initialState: PageState = {
   muted: false,
   trail: "plain",
   follows: false,
-  films: false,
+  film: null,
   worlds: [],
   layout: {canvas: 0.56},
   worldEditor: null,

@@ -98,8 +98,12 @@ export interface AppController {
   zoomRoom(factor: number): void
   fitRoom(): void
   savePicture(): void
-  /// Starts a film of the room, or ends it and saves it.
-  setRecording(going: boolean): void
+  /// Saves the recorded run as a film.
+  filmRun(kind: "webm" | "gif"): Promise<void>
+  /// Begins a film of the room where there is no run to film.
+  startFilm(): void
+  /// Saves the film that was begun, or gives up the film of a run.
+  endFilm(): void
   undo(): void
   redo(): void
   /// The keys that the page listens to.

@@ -69,6 +69,8 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return {message: notice.message, hint: notice.hint}
     case "no-film":
       return w.noFilm
+    case "film-failed":
+      return w.filmFailed
     case "no-reader":
       return w.noReader
     case "not-formatted":

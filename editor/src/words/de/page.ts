@@ -12,6 +12,7 @@ export const page: Omit<
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -420,6 +421,10 @@ export const page: Omit<
     noFilm: {
       message: "Der Film ist leer.",
       hint: "Beginne ihn, während der Roboter fährt, und beende ihn später.",
+    },
+    filmFailed: {
+      message: "Der Film konnte nicht entstehen.",
+      hint: "Lass das Programm eine Weile laufen oder versuch die andere Art von Film.",
     },
     noReader: {
       message: "Ein Teil der Seite fehlt.",

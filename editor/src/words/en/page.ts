@@ -423,6 +423,10 @@ export const page = {
       message: "The film is empty.",
       hint: "Start it while the robot drives, and end it later.",
     },
+    filmFailed: {
+      message: "The film could not be made.",
+      hint: "Run the program for a while, or try the other kind of film.",
+    },
     noReader: {
       message: "A part of the page is missing.",
       hint: "Reload the page; nothing of yours is lost.",

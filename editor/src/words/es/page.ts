@@ -12,6 +12,7 @@ export const page: Omit<
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -430,6 +431,10 @@ export const page: Omit<
     noFilm: {
       message: "La película está vacía.",
       hint: "Empiézala mientras el robot se mueve y termínala más tarde.",
+    },
+    filmFailed: {
+      message: "No se pudo hacer la película.",
+      hint: "Deja que el programa se ejecute un rato o prueba el otro tipo de película.",
     },
     noReader: {
       message: "Falta una parte de la página.",

@@ -12,6 +12,7 @@ export const page: Omit<
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -431,6 +432,10 @@ export const page: Omit<
     noFilm: {
       message: "Le film est vide.",
       hint: "Commence-le pendant que le robot roule, et termine-le plus tard.",
+    },
+    filmFailed: {
+      message: "Le film n’a pas pu être fait.",
+      hint: "Laisse le programme tourner un moment, ou essaie l’autre sorte de film.",
     },
     noReader: {
       message: "Il manque une partie de la page.",

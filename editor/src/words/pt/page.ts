@@ -12,6 +12,7 @@ export const page: Omit<
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -422,6 +423,10 @@ export const page: Omit<
     noFilm: {
       message: "O filme está vazio.",
       hint: "Comece o filme enquanto o robô anda, e termine mais tarde.",
+    },
+    filmFailed: {
+      message: "O filme não pôde ser feito.",
+      hint: "Deixe o programa rodar um pouco ou tente o outro tipo de filme.",
     },
     noReader: {
       message: "Falta uma parte da página.",
