@@ -36,6 +36,8 @@ export async function openReader(wasm: ReaderWasm): Promise<Reader> {
 export type {Cause} from "../model/raw_reasons.ts"
 export {causeOf, reasons} from "../model/raw_reasons.ts"
 export type {Range} from "../source/lexer.ts"
+export type {Clip, ClipMerge} from "./clips.ts"
+export {clipOf, mergeClip} from "./clips.ts"
 export type {Formatted} from "./formatter.ts"
 export {formatted} from "./formatter.ts"
 export type {Module, Piece} from "./module/module_pieces.ts"

@@ -106,8 +106,7 @@ async function filmModules() {
 export function roomCommands(store: Store, parts: PageParts): RoomCommands {
   let end: (() => void) | null = null
   const save = (ending: string, blob: Blob) => downloadBlob(fileName(store.now.name, ending), blob)
-  const notify = (kind: "no-film" | "film-failed" | "no-reader") =>
-    store.dispatch({kind: "notice", notice: {kind}})
+  const failed = (isLive: boolean) => store.dispatch({kind: "notice", notice: {kind: "no-film", isLive}})
   return {
     savePicture() {
       if (parts.roomCanvas === null) return
@@ -123,7 +122,8 @@ export function roomCommands(store: Store, parts: PageParts): RoomCommands {
       const film = modules?.filmOf(store.now.room) ?? null
       if (modules === null || film === null) {
         end = null
-        return notify(modules === null ? "no-reader" : "film-failed")
+        if (modules !== null) return failed(false)
+        return store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
       }
       const pace = modules.paceOf(film)
       const progress = (part: number) => {
@@ -138,14 +138,14 @@ export function roomCommands(store: Store, parts: PageParts): RoomCommands {
       end = null
       store.dispatch({kind: "film", film: null})
       if (file !== null) save(kind, file)
-      else if (!signal.aborted) notify("film-failed")
+      else if (!signal.aborted) failed(false)
     },
     startFilm() {
       if (parts.roomCanvas === null || end !== null) return
       const recording = startRecording(parts.roomCanvas, film => {
         end = null
         store.dispatch({kind: "film", film: null})
-        if (film === null) notify("no-film")
+        if (film === null) failed(true)
         else save("webm", film)
       })
       if (recording === null) return

@@ -28,6 +28,15 @@ export interface BlocksOptions {
   readonly numbers?: NumberDragListener
   /// Questions about the run, as far as the page takes them.
   readonly questions?: Questions
+  readonly backpack?: BackpackAccess
+}
+
+/// The backpack, as far as the menus of the blocks need it.
+export interface BackpackAccess {
+  /// The definition around a block; `null` where there is none that can be put in.
+  definitionAt(block: BlockId): string | null
+  put(name: string): void
+  open(): void
 }
 
 export interface Questions {

@@ -3,6 +3,7 @@
 import {de} from "@rosy/codegen/words/de"
 import type {Table} from "../language_table.ts"
 import {measuresOf} from "../number_formats.ts"
+import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
@@ -25,6 +26,7 @@ export const german: Table = {
   direction: "ltr",
   page: {
     ...page,
+    backpack,
     blocks,
     classroom,
     world,

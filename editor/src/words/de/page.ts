@@ -7,6 +7,7 @@ const {short, seconds, count} = measuresOf("de")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"

@@ -1,5 +1,6 @@
 /// Every sentence and label of the page in English: what the other languages translate.
 
+import {backpack} from "./backpack.ts"
 import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
@@ -19,6 +20,7 @@ import {why} from "./why.ts"
 
 export const en = {
   ...page,
+  backpack,
   blocks,
   world,
   classroom,

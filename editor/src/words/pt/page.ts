@@ -7,6 +7,7 @@ const {short, seconds, count} = measuresOf("pt-BR")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"
