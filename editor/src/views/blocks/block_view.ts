@@ -161,8 +161,10 @@ function takeFromToolbox(
   changes: ChangeTracking,
   commands: Pick<ToolboxActions, "level" | "setLevel">,
 ): () => void {
-  const insert = (block: SavedBlock) =>
+  const insert = (taken: SavedBlock) => {
+    const block = language.withOnlyEvent(taken, saveBlocks(workspace))
     insertBlock(workspace, block, selectedPlaces(workspace), changes.checker, true)
+  }
   const put = (block: SavedBlock, thenNext: boolean) => {
     insert(block)
     return thenNext && chooseNextPlace(workspace)
@@ -203,6 +205,7 @@ function openMarks(workspace: Blockly.WorkspaceSvg, host: HTMLElement, options: 
           values.show(shown)
           annotations.take(taken)
         },
+        showRunning: blocks => annotations.run(blocks),
         glow: functions => annotations.glow(definitionsOf(functions)),
         mark: (problems, accepted = false) => annotations.setTold(problems, accepted),
         showComments: shown => comments.show(shown),
@@ -217,7 +220,7 @@ function openMarks(workspace: Blockly.WorkspaceSvg, host: HTMLElement, options: 
 
 type MarkCommands = Pick<
   BlocksView,
-  "highlight" | "dim" | "explain" | "showValues" | "glow" | "mark" | "showComments"
+  "highlight" | "dim" | "explain" | "showValues" | "glow" | "showRunning" | "mark" | "showComments"
 >
 
 function inject(

@@ -39,6 +39,8 @@ export const page: Omit<
   continueHere: "Von hier aus weiter",
   continueHint: "Läuft von diesem Moment an weiter, mit dem Programm, wie es jetzt ist",
   forward: "Ein Schritt (0,02 s)",
+  stepBefore: "Schritt davor: wo eine Funktion begann",
+  stepAfter: "Nächster Schritt: wo eine Funktion beginnt",
   lookBack: "Im Lauf zurückschauen",
   saveTable: "Als Tabelle speichern (CSV)",
   noRun: "Starte das Programm, um seine Werte zu sehen.",

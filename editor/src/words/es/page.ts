@@ -39,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuar desde aquí",
   continueHint: "Seguir desde este momento, con el programa como está ahora",
   forward: "Un paso (0,02 s)",
+  stepBefore: "Paso anterior: donde empezó una función",
+  stepAfter: "Paso siguiente: donde empieza una función",
   lookBack: "Mirar atrás en la ejecución",
   saveTable: "Guardar como tabla (CSV)",
   noRun: "Ejecuta el programa para ver sus valores.",

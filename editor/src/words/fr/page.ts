@@ -39,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuer à partir d'ici",
   continueHint: "Continuer à partir de ce moment, avec le programme tel qu'il est maintenant",
   forward: "Un pas (0,02 s)",
+  stepBefore: "Étape précédente : là où une fonction a commencé",
+  stepAfter: "Étape suivante : là où une fonction commence",
   lookBack: "Revenir en arrière dans le temps",
   saveTable: "Enregistrer en tableau (CSV)",
   noRun: "Démarre le programme pour voir ses valeurs.",

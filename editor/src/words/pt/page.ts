@@ -39,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuar daqui",
   continueHint: "Continua a partir deste momento, com o programa como ele está agora",
   forward: "Um passo (0,02 s)",
+  stepBefore: "Passo anterior: onde uma função começou",
+  stepAfter: "Próximo passo: onde uma função começa",
   lookBack: "Olhar para trás na execução",
   saveTable: "Salvar como tabela (CSV)",
   noRun: "Execute o programa para ver os valores dele.",
