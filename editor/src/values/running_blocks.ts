@@ -3,7 +3,7 @@
 import type {BlockId, Program} from "../program/program.ts"
 import type {PageState} from "../state/page_state.ts"
 import {shownFrame} from "../state/runs/room_state.ts"
-import {stepsOf} from "../state/runs/run_steps.ts"
+import {begunAt} from "../state/runs/run_steps.ts"
 
 export interface Running {
   readonly blocks: readonly BlockId[]
@@ -21,12 +21,12 @@ export function runningBlocks({room, document}: Pick<PageState, "room" | "docume
   const {program} = document
   if (room.lookedAt === null || frame === null || room.source !== program.text) return nothing
   // Where one step ends and another begins, both fire: the one that begins is meant.
-  const begun = stepsOf(room.recording).find(step => step.time === frame.time)
-  const parts = [...new Set(begun?.names ?? frame.fired)].flatMap(name => placesOf(program, name))
+  const begun = begunAt(room.recording, frame.time)
+  const parts = [...new Set(begun.length > 0 ? begun : frame.fired)].flatMap(name => placesOf(program, name))
   return {
     blocks: parts.map(({block}) => block),
     ranges: parts.map(({start, end}) => ({start, end})),
-    isAtStep: begun !== undefined && room.lookedAt === frame.time,
+    isAtStep: begun.length > 0 && room.lookedAt === frame.time,
   }
 }
 

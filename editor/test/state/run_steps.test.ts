@@ -5,7 +5,7 @@ import {emptyProgram} from "../../src/program/program.ts"
 import type {Frame} from "../../src/state/messages/messages.ts"
 import {initialState} from "../../src/state/page_state.ts"
 import {emptyRecording, record} from "../../src/state/runs/recording.ts"
-import {stepAfter, stepBefore, stepsOf} from "../../src/state/runs/run_steps.ts"
+import {begunAt, stepAfter, stepBefore, stepsOf} from "../../src/state/runs/run_steps.ts"
 import {runningBlocks} from "../../src/values/running_blocks.ts"
 
 /// One frame for each list of functions, `every` steps of 20 ms apart.
@@ -37,6 +37,17 @@ it("two steps of the same name are two, at the speed of the run", () => {
 it("a reaction begins anew after a pause, and not for a gap of a frame", () => {
   const silence = Array<readonly string[]>(8).fill([])
   expect(times([["bump"], [], ["bump"], ...silence, ["bump"]])).toEqual(["0 bump", "0.22 bump"])
+})
+
+it("says of each frame what begins in it, as the steps of the whole run do", () => {
+  for (const every of [1, 8]) {
+    const silence = Array<readonly string[]>(4).fill([])
+    const frames = [["a"], ["a"], ["a", "b"], ["b"], ["b", "b"], ...silence, ["a"], [], ["a"]]
+    const recording = recorded(frames, every)
+    const begun = frames.map((_, i) => begunAt(recording, (i * every) / 50))
+    const steps = frames.map((_, i) => stepsOf(recording).find(step => step.time === (i * every) / 50))
+    expect(begun).toEqual(steps.map(step => step?.names ?? []))
+  }
 })
 
 it("goes to the step before and after a moment, also from between two", () => {

@@ -1,7 +1,7 @@
 /// Steps of a recorded run: the moments at which a function begins to fire, such as the next step of a task, or an event's reaction. Pure.
 
 import type {Frame} from "../messages/messages.ts"
-import {framesBetween, type Recording} from "./recording.ts"
+import {frameAt, framesBetween, type Recording} from "./recording.ts"
 
 export interface RunStep {
   /// Seconds of the run.
@@ -16,11 +16,20 @@ const pause = 0.05
 const countOf = (names: readonly string[], name: string) => names.filter(other => other === name).length
 
 /// In the order of time.
-export function stepsOf(recording: Recording): readonly RunStep[] {
+export const stepsOf = (recording: Recording): readonly RunStep[] =>
+  stepsBetween(recording, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)
+
+/// The functions that begin in the frame at a time, s. Reads only the frames shortly before it, so it may be asked for each picture.
+export function begunAt(recording: Recording, time: number): readonly string[] {
+  const first = frameAt(recording, time - pause)?.time ?? time
+  return stepsBetween(recording, first, time).find(step => step.time === time)?.names ?? []
+}
+
+function stepsBetween(recording: Recording, from: number, to: number): readonly RunStep[] {
   const steps: RunStep[] = []
   const firedAt = new Map<string, number>()
   let before: Frame | null = null
-  for (const frame of framesBetween(recording, Number.NEGATIVE_INFINITY, Number.POSITIVE_INFINITY)) {
+  for (const frame of framesBetween(recording, from, to)) {
     const previous: readonly string[] = before?.fired ?? []
     // Where one step of a task ends and another of the same name begins, both fire at once.
     const isNextFrame = before !== null && frame.step - before.step === 1
