@@ -97,9 +97,10 @@ export function openViewUpdates(
       const shown = `${ids.join(" ")} ${ranges.map(({start}) => start).join(" ")}`
       if (shown !== glow) {
         glow = shown
-        blocks?.showRunning(ids)
         const [first] = ids
+        // A block that was never in sight is made first, and can be marked then.
         if (running.isAtStep && first !== undefined) blocks?.reveal(first)
+        blocks?.showRunning(ids)
         source?.glow(ranges)
       }
     }
