@@ -49,15 +49,6 @@ export class Builder {
     await drawn(this.page)
   }
 
-  /// Chooses the empty place for an input and has what fits there offered. An input may stay empty, so it is not drawn as a hole.
-  async offersInput(): Promise<void> {
-    if (this.input === "keyboard" || (await this.isOffered())) return this.offers()
-    await this.presses(
-      this.page.locator(".blocklySvg .blocklyBlockCanvas .blocklyOutlinePath:not(.rosyHole)").first(),
-    )
-    await drawn(this.page)
-  }
-
   /// Opens a category of the toolbox. Keys search in all of them.
   async drawer(name: string): Promise<void> {
     if (this.input === "keyboard") {

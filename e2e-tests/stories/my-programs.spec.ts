@@ -46,6 +46,38 @@ test("My programs opens, renames and duplicates a program, and a deleted one com
   await expect(learner.haskell()).toContainText("vl + 0.75")
 })
 
+test("a function goes by the backpack into another program with its comment and what it needs", async ({
+  page,
+}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  await learner.emptiesHaskell()
+  await learner.types(
+    "speed :: Double\nspeed = 0.3\n\n-- Straight on.\ndrive :: Velocity\ndrive = Velocity speed 0\n\nmain = simulate drive",
+  )
+  await expect(learner.definition("drive")).toBeVisible()
+  await learner.definition("drive").click({button: "right", position: {x: 8, y: 8}})
+  await page.getByRole("menuitem", {name: "Put drive into the backpack"}).click()
+  await expect(page.getByTestId("notice")).toContainText("It needs this, which came along: speed")
+  await learner.opens("accelerate")
+  const before = await learner.wholeHaskell()
+  await page.getByRole("button", {name: "More", exact: true}).click()
+  await page.getByRole("button", {name: "Backpack"}).click()
+  const dialog = page.getByRole("dialog", {name: "Backpack"})
+  await expect(dialog).toContainText("drivewith speed")
+  await learner.keeps("backpack")
+  await dialog.getByRole("button", {name: "Take drive out into this program"}).click()
+  await expect(dialog).toBeHidden()
+  await expect(page.getByTestId("notice")).toContainText("New in your program: speed, drive.")
+  await expect(learner.definition("drive")).toBeVisible()
+  await learner.keeps("backpack-taken")
+  const taken =
+    "speed :: Double\nspeed = 0.3\n\n-- Straight on.\ndrive :: Velocity\ndrive = Velocity speed 0\n\n"
+  expect(await learner.wholeHaskell()).toBe(before.replace("main ::", `${taken}main ::`))
+  await page.keyboard.press("Control+z")
+  expect(await learner.wholeHaskell()).toBe(before)
+})
+
 test("a program that is open in two tabs stays one program, until both change it at once", async ({
   page,
   context,

@@ -7,6 +7,7 @@ import {NoticeBar} from "../page/bars/notice_bar.tsx"
 import {RobotBar, RobotsDialog} from "../page/bars/robots.tsx"
 import {BottomBar, TopBar} from "../page/bars/toolbars.tsx"
 import {WelcomeBar} from "../page/bars/welcome_bar.tsx"
+import {BackpackDialog} from "../page/dialogs/backpack_dialog.tsx"
 import {GalleryDialog} from "../page/dialogs/galleries.tsx"
 import {MyProgramsDialog} from "../page/dialogs/my_programs.tsx"
 import {ShareDialog} from "../page/dialogs/share_dialog.tsx"
@@ -78,6 +79,7 @@ export function App(): VNode {
       <GalleryDialog />
       <LessonsDialog />
       <MyProgramsDialog />
+      <BackpackDialog />
       <WorldEditorDialog />
       <RobotsDialog />
       <KeysDialog />

@@ -23,6 +23,7 @@ import {
 } from "../controller/lessons/lessons.ts"
 import {pageCommands} from "../controller/page_commands.ts"
 import {type FirstProgram, type ProgramRequests, programRequests} from "../controller/program_requests.ts"
+import {openBackpack} from "../controller/programs/backpack.ts"
 import {fileCommands, roomCommands} from "../controller/programs/file_commands.ts"
 import {myProgramCommands} from "../controller/programs/my_programs.ts"
 import {openProgramLoader, type ProgramLoader} from "../controller/programs/program_loader.ts"
@@ -37,6 +38,7 @@ import {openRoomTests} from "../jobs/room_tests.ts"
 import {firstArrangement, withView} from "../state/arrangement.ts"
 import {awaitsProgram, type PageState} from "../state/page_state.ts"
 import {noRobots} from "../state/robots.ts"
+import {openBackpackStore} from "../storage/backpack_store.ts"
 import {openBrowserStorage, storageInMemory} from "../storage/browser_storage.ts"
 import {openProgramStore, type ProgramStore} from "../storage/program_store.ts"
 import type {AppController} from "../ui/app_context.ts"
@@ -66,11 +68,12 @@ export function openController(): AppController {
   store.onFrame(diagram.update)
 
   const files = fileOpening(store, loader)
+  const backpack = openBackpack(store, parts, editor, commands, openBackpackStore(storage.shared))
   const mounts = {store, parts, editor, commands, numbers: openNumberDragging(store, editor.flush)}
   const controller: AppController = {
     store,
     mountBlocks: host =>
-      mountBlocks(host, mounts, programStore, openClipboard(storage.shared), colours.tone()),
+      mountBlocks(host, mounts, programStore, openClipboard(storage.shared), backpack, colours.tone()),
     mountSource: host => mountSource(host, mounts, completions, loader.textEdited),
     mountWorldEditor: canvas => mountWorldEditor(canvas, mounts),
     mountRoom: canvas => mountRoom(canvas, mounts),
@@ -81,6 +84,7 @@ export function openController(): AppController {
     lessonEditor: lessonEditorCommands(store, loader, editor),
     openExample: name => void requests.openExample(name),
     ...myProgramCommands(store, loader, programStore),
+    backpack,
     newProgram: loader.newProgram,
     demonstrate: demonstrationIn(store, loader, editor),
     openFile: files.openFile,

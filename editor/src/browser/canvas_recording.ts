@@ -3,6 +3,9 @@
 export interface CanvasRecording {
   /// Ends the film; it is handed over when its last piece has been written.
   stop(): void
+  /// The film stands still until `resume`.
+  pause(): void
+  resume(): void
 }
 
 /// Pictures a second, and how much a second of film may weigh, bits.
@@ -49,6 +52,8 @@ export function startRecording(
     stop() {
       if (recorder.state !== "inactive") recorder.stop()
     },
+    pause: () => recorder.state === "recording" && recorder.pause(),
+    resume: () => recorder.state === "paused" && recorder.resume(),
   }
 }
 

@@ -81,8 +81,8 @@ export function reduceViewEvent(state: PageState, event: ViewEvent): PageState {
       return {...state, follows: event.follows}
     case "block-comments":
       return {...state, blockComments: event.comments}
-    case "films":
-      return {...state, films: event.films}
+    case "film":
+      return {...state, film: event.film}
     default:
       return unreachable(event)
   }

@@ -14,6 +14,7 @@ import type {Hand, ServiceMessage, Speed} from "./messages/messages.ts"
 import type {WhyEvent} from "./messages/why_state.ts"
 import type {
   ChartSpan,
+  FilmInTheMaking,
   Gallery,
   Layout,
   Notice,
@@ -197,7 +198,7 @@ export type ViewEvent =
   /// A while has passed since this question for a preview.
   | {readonly kind: "preview-late"; readonly id: number}
   | {readonly kind: "follows"; readonly follows: boolean}
-  | {readonly kind: "films"; readonly films: boolean}
+  | {readonly kind: "film"; readonly film: FilmInTheMaking | null}
   /// The teacher's comments on the open program, to be shown at their places.
   | {readonly kind: "block-comments"; readonly comments: readonly BlockComment[]}
 

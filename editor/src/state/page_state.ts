@@ -96,8 +96,10 @@ export type Notice =
   /// The version of the file's format, and the newest that this page reads.
   | {readonly kind: "newer-lesson"; readonly name: string; readonly version: number; readonly newest: number}
   | {readonly kind: "refusal"; readonly message: string; readonly hint: string}
-  | {readonly kind: "no-film"}
+  /// A film from now on, or one of a run.
+  | {readonly kind: "no-film"; readonly isLive: boolean}
   | {readonly kind: "no-reader"}
+  | {readonly kind: "backpack"; readonly result: BackpackResult}
   /// `gone` are names of deleted programs that were removed for good to make room.
   | {readonly kind: "not-saved"; readonly gone: readonly string[]}
   | {readonly kind: "made-way"; readonly gone: readonly string[]}
@@ -130,6 +132,26 @@ export interface ReplacedRoom {
   readonly by: string
   readonly own: string | WorldFile
 }
+
+/// What became of a definition on its way into the backpack or out of it.
+export type BackpackResult =
+  /// `others` came along.
+  | {readonly kind: "packed"; readonly name: string; readonly others: readonly string[]}
+  | {readonly kind: "not-packed"; readonly name: string}
+  | {readonly kind: "full"}
+  /// What was added, which of it has another name now, and what the program had already.
+  | {
+      readonly kind: "unpacked"
+      readonly added: readonly string[]
+      readonly renamed: readonly {readonly from: string; readonly to: string}[]
+      readonly present: readonly string[]
+    }
+  | {readonly kind: "not-unpacked"; readonly name: string; readonly why: string}
+
+/// A film of the room from now on, or one of the recorded run: how much of it is done, and how many times faster than the run it is.
+export type FilmInTheMaking =
+  | {readonly kind: "live"}
+  | {readonly kind: "run"; readonly percent: number; readonly pace: number}
 
 export interface PageState {
   readonly name: string
@@ -224,6 +246,7 @@ export interface PageState {
     | "gallery"
     | "lessons"
     | "programs"
+    | "backpack"
     | "rooms"
     | "menu"
     | "sight"
@@ -262,8 +285,8 @@ export interface PageState {
   readonly trail: TrailStyle
   /// The picture of the room goes with the robot.
   readonly follows: boolean
-  /// A film of the room is being made.
-  readonly films: boolean
+  /// The film that is being made; `null` when there is none.
+  readonly film: FilmInTheMaking | null
   readonly worlds: readonly string[]
   readonly layout: Layout
   /// The room that is being changed; `null` while none is.
@@ -341,7 +364,7 @@ export const initialState: PageState = {
   muted: false,
   trail: "plain",
   follows: false,
-  films: false,
+  film: null,
   worlds: [],
   layout: {canvas: 0.56},
   worldEditor: null,

@@ -11,6 +11,7 @@ import type {RoomTests} from "../jobs/room_tests.ts"
 import type {Finding, Fix} from "../program/program.ts"
 import type {FoundConfusables, PageState} from "../state/page_state.ts"
 import type {KeySection} from "../state/shortcuts.ts"
+import type {PackedClip} from "../storage/backpack_store.ts"
 import type {StoredProgram} from "../storage/stored_values.ts"
 import type {NetworkEditing} from "../views/diagram/editing.ts"
 import type {CausalPath} from "../views/diagram/network/causal_path.ts"
@@ -28,6 +29,18 @@ export interface MyPrograms {
   duplicate(id: string): void
   remove(id: string): void
   restore(id: string): void
+}
+
+/// Definitions that every program of this browser can take.
+export interface Backpack {
+  list(): readonly PackedClip[]
+  /// The definitions of the open program that can be put in.
+  candidates(): readonly string[]
+  open(): void
+  put(name: string): void
+  /// Writes a clip into the open program and closes the dialog.
+  take(clip: PackedClip): void
+  remove(clip: PackedClip): void
 }
 
 export interface AppController {
@@ -61,6 +74,7 @@ export interface AppController {
   openRooms(): void
   openExample(name: string): void
   openMyPrograms(): void
+  readonly backpack: Backpack
   /// Shows the list of lessons.
   openLessons(): void
   /// Opens a lesson and its program at the first step that is not done.
@@ -98,8 +112,12 @@ export interface AppController {
   zoomRoom(factor: number): void
   fitRoom(): void
   savePicture(): void
-  /// Starts a film of the room, or ends it and saves it.
-  setRecording(going: boolean): void
+  /// Saves the recorded run as a film.
+  filmRun(kind: "webm" | "gif"): Promise<void>
+  /// Begins a film of the room where there is no run to film.
+  startFilm(): void
+  /// Saves the film that was begun, or gives up the film of a run.
+  endFilm(): void
   undo(): void
   redo(): void
   /// The keys that the page listens to.

@@ -1,7 +1,7 @@
 /// Texts derived from the state, in the learner's language: status of the run, notices, names of quantities, and descriptions of the parts of a room.
 
 import {words as robotWords} from "@rosy/codegen/words"
-import type {Notice, PageState} from "../state/page_state.ts"
+import type {BackpackResult, Notice, PageState} from "../state/page_state.ts"
 import {isActive} from "../state/runs/run_state.ts"
 import {measures, words} from "../words/index.ts"
 import {worded, wordedText} from "../words/worker_sentences.ts"
@@ -19,6 +19,34 @@ export function runStatus(state: PageState): string {
 
 const joined = (names: readonly string[]) => names.join(", ")
 const sentence = (text: string) => text.charAt(0).toUpperCase() + text.slice(1)
+
+function backpackText(result: BackpackResult): {readonly message: string; readonly hint: string} {
+  const w = words.backpack
+  switch (result.kind) {
+    case "packed":
+      return {
+        message: w.packed(result.name),
+        hint: result.others.length === 0 ? "" : w.cameAlong(joined(result.others)),
+      }
+    case "not-packed":
+      return {message: w.notPacked(result.name), hint: w.notPackedHint}
+    case "full":
+      return {message: w.full, hint: w.fullHint}
+    case "not-unpacked":
+      return {message: w.notUnpacked(result.name), hint: result.why}
+    case "unpacked": {
+      const {added, renamed, present} = result
+      const said = [
+        ...(added.length > 0 && present.length > 0 ? [w.present(joined(present))] : []),
+        ...renamed.map(({from, to}) => w.renamed(from, to)),
+      ]
+      return {
+        message: added.length === 0 ? w.present(joined(present)) : w.unpacked(joined(added)),
+        hint: said.join(" "),
+      }
+    }
+  }
+}
 
 /// What the page itself has to say: first what, then what to do.
 export function noticeText(notice: Notice): {readonly message: string; readonly hint: string} {
@@ -68,7 +96,9 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
     case "refusal":
       return {message: notice.message, hint: notice.hint}
     case "no-film":
-      return w.noFilm
+      return notice.isLive ? w.noFilm : w.filmFailed
+    case "backpack":
+      return backpackText(notice.result)
     case "no-reader":
       return w.noReader
     case "not-formatted":

@@ -94,6 +94,19 @@ export const StepIcon = () => (
     <rect x="11" y="3" width="2.4" height="10" rx="1" fill="currentColor" />
   </Picture>
 )
+/// A step of the program, between its neighbours.
+export const NextStepIcon = () => (
+  <Picture>
+    <path d="M3 8h8M8 4.5 11.5 8 8 11.5" fill="none" stroke="currentColor" stroke-width="1.6" />
+    <rect x="12.4" y="3" width="1.8" height="10" rx="0.9" fill="currentColor" />
+  </Picture>
+)
+export const PreviousStepIcon = () => (
+  <Picture>
+    <path d="M13 8H5M8 4.5 4.5 8 8 11.5" fill="none" stroke="currentColor" stroke-width="1.6" />
+    <rect x="1.8" y="3" width="1.8" height="10" rx="0.9" fill="currentColor" />
+  </Picture>
+)
 export const MoreIcon = () => (
   <Picture>
     <circle cx="3" cy="8" r="1.5" fill="currentColor" />

@@ -300,6 +300,7 @@ export const small: Language = {
     return {ok: true, changes}
   },
   libraryItems: () => [],
+  withOnlyEvent: block => block,
   lookInside: () => undefined,
   ownDefinition: () => undefined,
   typedItems: () => [],

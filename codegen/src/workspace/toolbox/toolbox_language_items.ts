@@ -18,6 +18,7 @@ import {
   stacked,
   text,
 } from "./block_builders.ts"
+import {ownEventReaction} from "./own_events.ts"
 import {item} from "./toolbox_item.ts"
 
 export const memory = perLanguage((): readonly ToolboxItem[] => [
@@ -166,10 +167,7 @@ export const types = perLanguage((): readonly ToolboxItem[] => [
     words.toolbox.ownEventData,
     make("data", {name: "Knock", constructors: [{name: "Knock", fields: []}]}),
   ),
-  item(
-    words.toolbox.whenAnOwnEventHappens,
-    make("define", {name: "onEvent", as: "event", arity: 1, equations: [{}]}),
-  ),
+  item(words.toolbox.whenAnOwnEventHappens, ownEventReaction()),
   item(
     words.toolbox.ownTypeWithCasesData,
     make("data", {

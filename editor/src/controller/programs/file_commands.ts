@@ -1,13 +1,14 @@
 /// Commands that export the program and what the page shows: files, links, prints, pictures and recordings of the room.
 
 import {pageAddress} from "../../browser/browser_window.ts"
-import {type CanvasRecording, startRecording, takePicture} from "../../browser/canvas_recording.ts"
+import {startRecording, takePicture} from "../../browser/canvas_recording.ts"
 import {linkAddress} from "../../browser/link_address.ts"
 import {download, downloadBlob, fileName} from "../../browser/local_files.ts"
 import type {Store} from "../../browser/store.ts"
 import {memoryNames} from "../../program/written_memories.ts"
 import type {AppController} from "../../ui/app_context.ts"
 import {toCsv} from "../../values/quantities.ts"
+import {readPalette} from "../../views/room/palette.ts"
 import {words} from "../../words/index.ts"
 import type {ColourScheme} from "../document/colour_scheme.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
@@ -88,27 +89,70 @@ export function fileCommands(
   }
 }
 
-type RoomCommands = Pick<AppController, "savePicture" | "setRecording" | "zoomRoom" | "fitRoom">
+type RoomCommands = Pick<
+  AppController,
+  "savePicture" | "filmRun" | "startFilm" | "endFilm" | "zoomRoom" | "fitRoom"
+>
+
+/// Fetched when a film is made for the first time.
+async function filmModules() {
+  const [film, file] = await Promise.all([
+    import("../../features/shared_page/film.ts"),
+    import("../../features/shared_page/film_file.ts"),
+  ])
+  return {...film, ...file}
+}
 
 export function roomCommands(store: Store, parts: PageParts): RoomCommands {
-  let recording: CanvasRecording | null = null
+  let end: (() => void) | null = null
   const save = (ending: string, blob: Blob) => downloadBlob(fileName(store.now.name, ending), blob)
+  const failed = (isLive: boolean) => store.dispatch({kind: "notice", notice: {kind: "no-film", isLive}})
   return {
     savePicture() {
       if (parts.roomCanvas === null) return
       void takePicture(parts.roomCanvas).then(picture => picture !== null && save("png", picture))
     },
-    setRecording(going) {
-      if (!going) return recording?.stop()
-      if (parts.roomCanvas === null || recording !== null) return
-      recording = startRecording(parts.roomCanvas, film => {
-        recording = null
-        store.dispatch({kind: "films", films: false})
-        if (film === null) store.dispatch({kind: "notice", notice: {kind: "no-film"}})
+    async filmRun(kind) {
+      if (end !== null || parts.roomCanvas === null) return
+      const palette = readPalette(parts.roomCanvas)
+      const cancelled = new AbortController()
+      const {signal} = cancelled
+      end = () => cancelled.abort()
+      const modules = await filmModules().catch(() => null)
+      const film = modules?.filmOf(store.now.room) ?? null
+      if (modules === null || film === null) {
+        end = null
+        if (modules !== null) return failed(false)
+        return store.dispatch({kind: "notice", notice: {kind: "no-reader"}})
+      }
+      const pace = modules.paceOf(film)
+      const progress = (part: number) => {
+        const percent = Math.floor(part * 100)
+        const {film: before} = store.now
+        if (before?.kind === "run" && before.percent === percent) return
+        store.dispatch({kind: "film", film: {kind: "run", percent, pace}})
+      }
+      progress(0)
+      const make = kind === "gif" ? modules.gifOf : modules.webmOf
+      const file = await make(film, {palette, progress, signal})
+      end = null
+      store.dispatch({kind: "film", film: null})
+      if (file !== null) save(kind, file)
+      else if (!signal.aborted) failed(false)
+    },
+    startFilm() {
+      if (parts.roomCanvas === null || end !== null) return
+      const recording = startRecording(parts.roomCanvas, film => {
+        end = null
+        store.dispatch({kind: "film", film: null})
+        if (film === null) failed(true)
         else save("webm", film)
       })
-      store.dispatch({kind: "films", films: recording !== null})
+      if (recording === null) return
+      end = () => recording.stop()
+      store.dispatch({kind: "film", film: {kind: "live"}})
     },
+    endFilm: () => end?.(),
     zoomRoom: factor => parts.room?.zoom(factor),
     fitRoom: () => parts.room?.whole(),
   }

@@ -24,6 +24,7 @@ import type {DocumentCommands} from "../document/document_commands.ts"
 import {longestProgram} from "../document/document_conversion.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
 import type {PageParts} from "../document/page_parts.ts"
+import type {BackpackCommands} from "../programs/backpack.ts"
 
 export interface MountContext {
   readonly store: Store
@@ -38,6 +39,7 @@ export function mountBlocks(
   {store, parts, editor, commands, numbers}: MountContext,
   programStore: ProgramStore,
   clipboard: SharedClipboard,
+  backpack: BackpackCommands,
   tone: Tone,
 ): void {
   parts.blocksHost = host
@@ -54,6 +56,7 @@ export function mountBlocks(
     level: programStore.level() ?? "reactions",
     onLevel: level => programStore.setLevel(level),
     clipboard,
+    backpack,
     outside: {
       area: () => parts.source?.dropArea() ?? null,
       over: commands.previewDrop,

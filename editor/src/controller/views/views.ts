@@ -11,6 +11,7 @@ import {runName} from "../../state/runs/run_tree.ts"
 import {type KeySection, keyLines} from "../../state/shortcuts.ts"
 import {compiled, trustedFindings} from "../../state/visible_findings.ts"
 import type {Preferences} from "../../storage/stored_values.ts"
+import {runningBlocks} from "../../values/running_blocks.ts"
 import {blockKeys} from "../../views/blocks/interaction/shortcut_list.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {worldKeys} from "../../views/room/editor/world_editor_shortcuts.ts"
@@ -86,12 +87,21 @@ export function openViewUpdates(
       if (!areCommentsBehind) source?.showComments(texts)
       blocks?.showComments(texts.flatMap(({block, text}) => (block === null ? [] : [{block, text}])))
     }
-    if (changed("room") || changed("run")) {
-      const names = isActive(state.run) ? recentlyFired(state.room) : []
+    if (changed("room") || changed("run") || changed("document")) {
+      const isBack = state.room.lookedAt !== null
+      const names = isActive(state.run) && !isBack ? recentlyFired(state.room) : []
       if (names.length > 0) blocks?.glow(names)
-      if (names.join(" ") !== glow) {
-        glow = names.join(" ")
-        source?.glow(program.definitions.filter(d => names.includes(d.name)))
+      const live = program.definitions.filter(d => names.includes(d.name))
+      const running = isBack ? runningBlocks(state) : {blocks: [], ranges: live, isAtStep: false}
+      const {blocks: ids, ranges} = running
+      const shown = `${ids.join(" ")} ${ranges.map(({start}) => start).join(" ")}`
+      if (shown !== glow) {
+        glow = shown
+        const [first] = ids
+        // A block that was never in sight is made first, and can be marked then.
+        if (running.isAtStep && first !== undefined) blocks?.reveal(first)
+        blocks?.showRunning(ids)
+        source?.glow(ranges)
       }
     }
     const answer = state.why.open?.answer ?? null

@@ -87,6 +87,15 @@ export function durationOf({shots}: Film): {readonly from: number; readonly to: 
   return {from: (shots[0]?.[0] ?? 0) / 1000, to: (shots.at(-1)?.[0] ?? 0) / 1000}
 }
 
+/// Seconds of a film file; a longer run is shown faster.
+export const longestFilm = 60
+
+/// Seconds of the run in a second of its film file: 1, or more for a run that is longer than `longestFilm`.
+export function paceOf(film: Film): number {
+  const {from, to} = durationOf(film)
+  return Math.max(1, (to - from) / longestFilm)
+}
+
 /// What is drawn at one time.
 export interface Moment {
   readonly x: number

@@ -1,13 +1,9 @@
 /// Script of the shared page: draws the film of a run on the canvas, and plays it. The slider and the button are those of HTML and work by keyboard. Nothing
 /// moves before a person presses Play; where less motion is wanted, the film advances in steps.
 
-import {cornerOf, follow, lookAt, toScreen} from "../../views/room/camera.ts"
 import {type Palette, readPalette} from "../../views/room/palette.ts"
-import {drawBubble, drawRobot} from "../../views/room/robot_drawing.ts"
-import {drawInk} from "../../views/room/trail_drawing.ts"
-import {drawObjects, drawWorld} from "../../views/room/world_drawing.ts"
-import {isLarge} from "../../worlds/world.ts"
-import {durationOf, type Film, momentAt} from "./film.ts"
+import {durationOf, type Film} from "./film.ts"
+import {drawFilm} from "./film_drawing.ts"
 
 function element<T extends HTMLElement>(id: string): T {
   const found = document.getElementById(id)
@@ -48,35 +44,7 @@ function draw(): void {
   const ratio = window.devicePixelRatio || 1
   canvas.width = w * ratio
   canvas.height = h * ratio
-  if (ctx === null) return
-  const moment = momentAt(film, shown)
-  const look = isLarge(film.world) ? follow(null, moment, width, height, w, h) : null
-  const camera = lookAt(look, width, height, w, h, cornerOf(film.world))
-  ctx.fillStyle = palette.around
-  ctx.fillRect(0, 0, canvas.width, canvas.height)
-  const k = ratio * camera.scale
-  ctx.setTransform(k, 0, 0, -k, camera.left * ratio, camera.bottom * ratio)
-  drawWorld(ctx, film.world, palette, camera.scale)
-  ctx.beginPath()
-  for (const [x, y] of moment.path) ctx.lineTo(x, y)
-  ctx.lineJoin = "round"
-  ctx.lineCap = "round"
-  ctx.lineWidth = Math.max(2.5 / camera.scale, 0.02)
-  ctx.strokeStyle = palette.trail
-  ctx.stroke()
-  drawInk(ctx, moment.ink, palette, camera.scale)
-  drawObjects(ctx, film.world, moment.objects, palette, camera.scale)
-  ctx.save()
-  ctx.translate(moment.x, moment.y)
-  ctx.rotate(moment.theta)
-  drawRobot(ctx, moment, palette, camera.scale, film.world.robot)
-  ctx.restore()
-  ctx.setTransform(ratio, 0, 0, ratio, 0, 0)
-  if (moment.said !== null) {
-    const at = toScreen(camera, moment.x, moment.y)
-    drawBubble(ctx, moment.said, at, 0.2 * camera.scale + 14, {w, h}, palette)
-  }
-  ctx.setTransform(1, 0, 0, 1, 0, 0)
+  if (ctx !== null) drawFilm(ctx, film, shown, {w, h, ratio}, palette)
 }
 
 function show(time: number): void {

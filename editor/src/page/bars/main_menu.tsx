@@ -63,6 +63,7 @@ function MenuItems({close}: {close: () => void}): VNode {
         {item(words.examples, controller.openGallery)}
       </div>
       {item(words.myPrograms.title, controller.openMyPrograms)}
+      {item(words.backpack.title, controller.backpack.open)}
       {offered &&
         item(words.robots.choose, () => controller.store.dispatch({kind: "dialog", dialog: "robots"}))}
       {item(words.newProgram, controller.newProgram)}

@@ -14,16 +14,10 @@ export function RoomViewControls(): VNode {
   const controller = useController()
   const {store} = controller
   const follows = usePageState(s => s.follows)
-  const films = usePageState(s => s.films)
   return (
     <>
       <Legend />
-      {films && (
-        <button type="button" class="hand filming" onClick={() => controller.setRecording(false)}>
-          <StopIcon />
-          {words.endFilm}
-        </button>
-      )}
+      <Filming />
       <fieldset class="sight" aria-label={words.sight}>
         <IconButton
           label={words.follow}
@@ -46,12 +40,36 @@ export function RoomViewControls(): VNode {
   )
 }
 
+/// The film that is being made, with the button that ends it.
+function Filming(): VNode | null {
+  const controller = useController()
+  const film = usePageState(s => s.film)
+  if (film === null) return null
+  const w = words.film
+  return (
+    <div class="filming">
+      {film.kind === "run" && (
+        <>
+          <progress max={100} value={film.percent} aria-label={w.making(film.percent)} />
+          <span>{w.making(film.percent)}</span>
+          {film.pace > 1 && <span class="quiet">{w.faster(film.pace)}</span>}
+        </>
+      )}
+      <button type="button" class="hand" onClick={controller.endFilm}>
+        <StopIcon />
+        {film.kind === "run" ? w.cancel : words.endFilm}
+      </button>
+    </div>
+  )
+}
+
 function RoomViewMenu(): VNode {
   const controller = useController()
   const {store} = controller
   const {open, box, button, toggle} = usePopup("sight")
   const trail = usePageState(s => s.trail)
-  const films = usePageState(s => s.films)
+  const film = usePageState(s => s.film)
+  const hasRun = usePageState(s => s.room.run !== null && s.room.recording.length > 0)
   const previewing = usePageState(s => s.previewing)
   const valuesShown = usePageState(s => s.valuesShown)
   const item = (text: string, act: () => void) => (
@@ -107,8 +125,13 @@ function RoomViewMenu(): VNode {
           </label>
           {item(words.wholeRoom, controller.fitRoom)}
           {item(words.savePicture, controller.savePicture)}
-          {canRecord() &&
-            item(films ? words.endFilm : words.startFilm, () => controller.setRecording(!films))}
+          {film === null && hasRun && (
+            <>
+              {canRecord() && item(words.film.webm, () => void controller.filmRun("webm"))}
+              {item(words.film.gif, () => void controller.filmRun("gif"))}
+            </>
+          )}
+          {film === null && !hasRun && canRecord() && item(words.startFilm, controller.startFilm)}
         </div>
       )}
     </div>

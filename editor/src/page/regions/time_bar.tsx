@@ -8,10 +8,20 @@ import type {Speed} from "../../state/messages/messages.ts"
 import {spanOfTime} from "../../state/runs/recording.ts"
 import {isUntouched} from "../../state/runs/room_state.ts"
 import {isActive} from "../../state/runs/run_state.ts"
+import {type RunStep, stepAfter, stepBefore} from "../../state/runs/run_steps.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {IconButton} from "../../ui/controls.tsx"
 import {runStatus} from "../../ui/descriptions.ts"
-import {AgainIcon, GoIcon, PauseIcon, ResetIcon, RunsIcon, StepIcon} from "../../ui/icons.tsx"
+import {
+  AgainIcon,
+  GoIcon,
+  NextStepIcon,
+  PauseIcon,
+  PreviousStepIcon,
+  ResetIcon,
+  RunsIcon,
+  StepIcon,
+} from "../../ui/icons.tsx"
 import {measures, words} from "../../words/index.ts"
 
 const speeds: readonly Speed[] = [0.1, 0.25, 0.5, 1, 2, 4, 8, 16, "max"]
@@ -123,9 +133,19 @@ function LookBack(): VNode {
   const to = usePageState(s => s.room.frame?.time ?? 0)
   const at = usePageState(s => s.room.lookedAt ?? s.room.frame?.time ?? 0)
   const fine = usePageState(s => s.clock === "standing" || s.room.lookedAt !== null)
+  const recording = usePageState(s => s.room.recording)
+  const goTo = (step: RunStep | null, end: number | null) =>
+    store.dispatch({kind: "looked-back", time: step?.time ?? end})
   const part = to > from ? (100 * (at - from)) / (to - from) : 0
   return (
     <div class="lookback-row">
+      <IconButton
+        label={words.stepBefore}
+        disabled={to <= from || at <= from}
+        onClick={() => goTo(stepBefore(recording, at), from)}
+      >
+        <PreviousStepIcon />
+      </IconButton>
       <span class="lookback-line">
         <input
           type="range"
@@ -146,6 +166,13 @@ function LookBack(): VNode {
         />
         <WhyMarks from={from} to={to} />
       </span>
+      <IconButton
+        label={words.stepAfter}
+        disabled={to <= from || at >= to}
+        onClick={() => goTo(stepAfter(recording, at), null)}
+      >
+        <NextStepIcon />
+      </IconButton>
       <span class="clock" title={words.clock} data-testid="clock">
         {measures.seconds(at, fine ? 2 : 1)}
       </span>

@@ -175,8 +175,10 @@ function takeFromToolbox(
   changes: ChangeTracking,
   commands: Pick<ToolboxActions, "level" | "setLevel">,
 ): () => void {
-  const insert = (block: SavedBlock) =>
+  const insert = (taken: SavedBlock) => {
+    const block = language.withOnlyEvent(taken, saveBlocks(workspace))
     insertBlock(workspace, block, selectedPlaces(workspace), changes.checker, true)
+  }
   const put = (block: SavedBlock, thenNext: boolean) => {
     insert(block)
     return thenNext && chooseNextPlace(workspace)
@@ -217,6 +219,7 @@ function openMarks(workspace: Blockly.WorkspaceSvg, host: HTMLElement, options: 
           values.show(shown)
           annotations.take(taken)
         },
+        showRunning: blocks => annotations.run(blocks),
         glow: functions => annotations.glow(definitionsOf(functions)),
         mark: (problems, accepted = false) => annotations.setTold(problems, accepted),
         showComments: shown => comments.show(shown),
@@ -231,7 +234,7 @@ function openMarks(workspace: Blockly.WorkspaceSvg, host: HTMLElement, options: 
 
 type MarkCommands = Pick<
   BlocksView,
-  "highlight" | "dim" | "explain" | "showValues" | "glow" | "mark" | "showComments"
+  "highlight" | "dim" | "explain" | "showValues" | "glow" | "showRunning" | "mark" | "showComments"
 >
 
 function inject(

@@ -28,6 +28,15 @@ export interface BlocksOptions {
   readonly numbers?: NumberDragListener
   /// Questions about the run, as far as the page takes them.
   readonly questions?: Questions
+  readonly backpack?: BackpackAccess
+}
+
+/// The backpack, as far as the menus of the blocks need it.
+export interface BackpackAccess {
+  /// The definition around a block; `null` where there is none that can be put in.
+  definitionAt(block: BlockId): string | null
+  put(name: string): void
+  open(): void
 }
 
 export interface Questions {
@@ -81,6 +90,8 @@ export interface BlocksView {
   dim(blocks: readonly BlockId[]): void
   /// Lets the definitions of functions glow, by name.
   glow(functions: readonly string[]): void
+  /// Marks the blocks that run at the moment that is looked at, until called again.
+  showRunning(blocks: readonly BlockId[]): void
   /// Shows values beside definitions, and marks the branches that functions took, until called again.
   showValues(values: readonly BlockValue[], taken: readonly BlockId[]): void
   /// Shows problems from the compiler or a run on their blocks, until called again. `accepted`: the compiler has taken

@@ -102,6 +102,9 @@ function menuActions(
     focusSearch: () => focusSearch(workspace),
     offerBlocks: () => offerBlocks(workspace),
     copied,
+    definitionToPack: block => options.backpack?.definitionAt(block.id) ?? null,
+    pack: name => options.backpack?.put(name),
+    openBackpack: options.backpack === undefined ? null : () => options.backpack?.open(),
     functionToAsk(block) {
       const name = inference().definitions.get(block.getRootBlock().id)?.name
       // A type does not run.

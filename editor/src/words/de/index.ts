@@ -3,9 +3,11 @@
 import {de} from "@rosy/codegen/words/de"
 import type {Table} from "../language_table.ts"
 import {measuresOf} from "../number_formats.ts"
+import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
+import {film} from "./film.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -24,10 +26,12 @@ export const german: Table = {
   direction: "ltr",
   page: {
     ...page,
+    backpack,
     blocks,
     classroom,
     world,
     diagram,
+    film,
     roomTests,
     preview,
     recordings,

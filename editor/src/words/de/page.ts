@@ -7,11 +7,13 @@ const {short, seconds, count} = measuresOf("de")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -37,6 +39,8 @@ export const page: Omit<
   continueHere: "Von hier aus weiter",
   continueHint: "Läuft von diesem Moment an weiter, mit dem Programm, wie es jetzt ist",
   forward: "Ein Schritt (0,02 s)",
+  stepBefore: "Schritt davor: wo eine Funktion begann",
+  stepAfter: "Nächster Schritt: wo eine Funktion beginnt",
   lookBack: "Im Lauf zurückschauen",
   saveTable: "Als Tabelle speichern (CSV)",
   noRun: "Starte das Programm, um seine Werte zu sehen.",
@@ -420,6 +424,10 @@ export const page: Omit<
     noFilm: {
       message: "Der Film ist leer.",
       hint: "Beginne ihn, während der Roboter fährt, und beende ihn später.",
+    },
+    filmFailed: {
+      message: "Der Film konnte nicht entstehen.",
+      hint: "Lass das Programm eine Weile laufen oder versuch die andere Art von Film.",
     },
     noReader: {
       message: "Ein Teil der Seite fehlt.",

@@ -1,8 +1,10 @@
 /// Every sentence and label of the page in English: what the other languages translate.
 
+import {backpack} from "./backpack.ts"
 import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
+import {film} from "./film.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -18,10 +20,12 @@ import {why} from "./why.ts"
 
 export const en = {
   ...page,
+  backpack,
   blocks,
   world,
   classroom,
   diagram,
+  film,
   roomTests,
   preview,
   recordings,

@@ -26,6 +26,8 @@ export const page = {
   continueHere: "Continue from here",
   continueHint: "Run on from this moment, with the program as it is now",
   forward: "One step (0.02 s)",
+  stepBefore: "Step before: where a function began",
+  stepAfter: "Next step: where a function begins",
   lookBack: "Look back in the run",
   saveTable: "Save as a table (CSV)",
   noRun: "Run the program to see its values.",
@@ -422,6 +424,10 @@ export const page = {
     noFilm: {
       message: "The film is empty.",
       hint: "Start it while the robot drives, and end it later.",
+    },
+    filmFailed: {
+      message: "The film could not be made.",
+      hint: "Run the program for a while, or try the other kind of film.",
     },
     noReader: {
       message: "A part of the page is missing.",

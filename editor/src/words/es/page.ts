@@ -7,11 +7,13 @@ const {short, seconds, count} = measuresOf("es")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -37,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuar desde aquí",
   continueHint: "Seguir desde este momento, con el programa como está ahora",
   forward: "Un paso (0,02 s)",
+  stepBefore: "Paso anterior: donde empezó una función",
+  stepAfter: "Paso siguiente: donde empieza una función",
   lookBack: "Mirar atrás en la ejecución",
   saveTable: "Guardar como tabla (CSV)",
   noRun: "Ejecuta el programa para ver sus valores.",
@@ -430,6 +434,10 @@ export const page: Omit<
     noFilm: {
       message: "La película está vacía.",
       hint: "Empiézala mientras el robot se mueve y termínala más tarde.",
+    },
+    filmFailed: {
+      message: "No se pudo hacer la película.",
+      hint: "Deja que el programa se ejecute un rato o prueba el otro tipo de película.",
     },
     noReader: {
       message: "Falta una parte de la página.",

@@ -7,11 +7,13 @@ const {short, seconds, count} = measuresOf("fr")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -37,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuer à partir d'ici",
   continueHint: "Continuer à partir de ce moment, avec le programme tel qu'il est maintenant",
   forward: "Un pas (0,02 s)",
+  stepBefore: "Étape précédente : là où une fonction a commencé",
+  stepAfter: "Étape suivante : là où une fonction commence",
   lookBack: "Revenir en arrière dans le temps",
   saveTable: "Enregistrer en tableau (CSV)",
   noRun: "Démarre le programme pour voir ses valeurs.",
@@ -431,6 +435,10 @@ export const page: Omit<
     noFilm: {
       message: "Le film est vide.",
       hint: "Commence-le pendant que le robot roule, et termine-le plus tard.",
+    },
+    filmFailed: {
+      message: "Le film n’a pas pu être fait.",
+      hint: "Laisse le programme tourner un moment, ou essaie l’autre sorte de film.",
     },
     noReader: {
       message: "Il manque une partie de la page.",

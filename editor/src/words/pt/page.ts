@@ -7,11 +7,13 @@ const {short, seconds, count} = measuresOf("pt-BR")
 
 export const page: Omit<
   Words,
+  | "backpack"
   | "blocks"
   | "classroom"
   | "world"
   | "recordings"
   | "diagram"
+  | "film"
   | "roomTests"
   | "preview"
   | "runs"
@@ -37,6 +39,8 @@ export const page: Omit<
   continueHere: "Continuar daqui",
   continueHint: "Continua a partir deste momento, com o programa como ele está agora",
   forward: "Um passo (0,02 s)",
+  stepBefore: "Passo anterior: onde uma função começou",
+  stepAfter: "Próximo passo: onde uma função começa",
   lookBack: "Olhar para trás na execução",
   saveTable: "Salvar como tabela (CSV)",
   noRun: "Execute o programa para ver os valores dele.",
@@ -422,6 +426,10 @@ export const page: Omit<
     noFilm: {
       message: "O filme está vazio.",
       hint: "Comece o filme enquanto o robô anda, e termine mais tarde.",
+    },
+    filmFailed: {
+      message: "O filme não pôde ser feito.",
+      hint: "Deixe o programa rodar um pouco ou tente o outro tipo de filme.",
     },
     noReader: {
       message: "Falta uma parte da página.",

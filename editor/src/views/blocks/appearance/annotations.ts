@@ -37,6 +37,7 @@ export class Annotations {
   private highlighted: readonly BlockId[] = []
   private explained: readonly BlockId[] = []
   private taken: readonly BlockId[] = []
+  private running: readonly BlockId[] = []
   private dimmed: readonly BlockId[] = []
   private readonly worn = new Map<BlockId, Worn>()
   private readonly glowing = new Map<BlockId, number>()
@@ -120,6 +121,7 @@ export class Annotations {
     this.dim(this.dimmed)
     this.explain(this.explained)
     this.take(this.taken)
+    this.run(this.running)
   }
 
   /// The branches that functions took at the displayed moment.
@@ -148,6 +150,13 @@ export class Annotations {
     for (const id of this.dimmed) toggle(this.workspace.getBlockById(id), "rosyDim", false)
     for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyDim", true)
     this.dimmed = ids
+  }
+
+  /// The blocks that run at the moment that is looked at.
+  run(ids: readonly BlockId[]): void {
+    for (const id of this.running) toggle(this.workspace.getBlockById(id), "rosyRunning", false)
+    for (const id of ids) toggle(this.workspace.getBlockById(id), "rosyRunning", true)
+    this.running = ids
   }
 
   /// Lets blocks glow for a moment; those that glow already go on.

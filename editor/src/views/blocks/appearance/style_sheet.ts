@@ -68,9 +68,10 @@ export const styleSheet = `
 .rosyBlocks .rosyValue.old > text { fill: var(--ink-2); }
 .rosyBlocks .rosyValue.old > rect { fill: var(--ground); stroke-dasharray: 3 3; }
 .rosyBlocks .blocklyDragging .rosyValue { display: none; }
-.rosyBlocks .blocklyBlock.rosyFired > .blocklyPath { stroke: var(--on-block); stroke-width: 3; }
+.rosyBlocks .blocklyBlock.rosyFired > .blocklyPath, .rosyBlocks .blocklyBlock.rosyRunning > .blocklyPath { stroke: var(--on-block); stroke-width: 3; }
 /* A group with display: none still has its whole layout, for gradients in it that others could refer to; paths and texts have none. */
 .rosyBlocks .blocklyBlock.rosyAway, .rosyBlocks .blocklyBlock.rosyAway * { display: none !important; }
+.rosyBlocks .blocklyBlock.rosyRunning > .blocklyPath { filter: drop-shadow(0 0 6px var(--rosy)); }
 .rosyBlocks .blocklyBlock.rosyDim { opacity: .45; }
 .rosyBlocks .blocklyBlock.rosyLoose > .blocklyPath { stroke-dasharray: 5 4; stroke: var(--ink-2); stroke-width: 1.5; }
 .rosyBlocks .blocklyDragging.rosyRefused > .blocklyPath { stroke: var(--bad); stroke-width: 2.5; stroke-dasharray: 6 4; }

@@ -7,6 +7,7 @@ import type {
   Level,
   LookInside,
   Renaming,
+  SavedBlock,
   SavedWorkspace,
   Session,
   ToolboxCategory,
@@ -26,6 +27,8 @@ export interface Language {
   toolbox(level: Level): readonly ToolboxCategory[]
   /// What the search finds besides what the toolbox shows.
   libraryItems(): readonly ToolboxItem[]
+  /// A ready block with the only event of the program that it can take; any other block as it is.
+  withOnlyEvent(block: SavedBlock, workspace: SavedWorkspace): SavedBlock
   /// What was typed into the search as a block of its own: a number, a text, a new name.
   typedItems(typed: string): readonly ToolboxItem[]
 }

@@ -26,6 +26,11 @@ export interface MenuActions {
   toggleRuns(block: Blockly.Block): boolean
   /// A block was copied from its menu.
   copied(): void
+  /// The definition around a block that can be put into the backpack; `null` for none.
+  definitionToPack(block: Blockly.Block): string | null
+  pack(name: string): void
+  /// `null` for a view without a backpack.
+  readonly openBackpack: (() => void) | null
   /// The function whose definition a block is part of, when a question about it can be asked; `null` otherwise.
   functionToAsk(block: Blockly.Block): string | null
   /// Asks why a function ran.
@@ -59,6 +64,7 @@ export function registerMenus(actions: () => MenuActions | undefined): void {
   for (const id of unwanted) if (menus.getItem(id) !== null) menus.unregister(id)
   historyAndSight(actions)
   copyAndPaste(actions)
+  backpack(actions)
   questions(actions)
   membership(actions)
   commentAtOnce()
@@ -155,6 +161,32 @@ function copyAndPaste(actions: () => MenuActions | undefined): void {
       else
         Blockly.clipboard.paste(copy, workspace, Blockly.utils.svgMath.screenToWsCoordinates(workspace, at))
     },
+  })
+}
+
+/// The definition around a block goes into the backpack, and the backpack is opened.
+function backpack(actions: () => MenuActions | undefined): void {
+  const {registry: menus, ScopeType} = Blockly.ContextMenuRegistry
+  const packed = (block: Blockly.Block | undefined) =>
+    block === undefined || block.isInFlyout ? null : (actions()?.definitionToPack(block) ?? null)
+  menus.register({
+    id: "rosyPack",
+    weight: 1.6,
+    scopeType: ScopeType.BLOCK,
+    displayText: ({block}) => words.backpack.put(packed(block) ?? ""),
+    preconditionFn: ({block}) => (packed(block) === null ? "hidden" : "enabled"),
+    callback: ({block}) => {
+      const name = packed(block)
+      if (name !== null) actions()?.pack(name)
+    },
+  })
+  menus.register({
+    id: "rosyBackpack",
+    weight: 2.6,
+    scopeType: ScopeType.WORKSPACE,
+    displayText: () => words.backpack.open,
+    preconditionFn: () => (actions()?.openBackpack == null ? "hidden" : "enabled"),
+    callback: () => actions()?.openBackpack?.(),
   })
 }
 

@@ -241,7 +241,9 @@ class Search extends Blockly.ToolboxCategory {
       event.preventDefault()
       event.stopPropagation()
       Blockly.keyboardNavigationController.setIsActive(true)
-      if (nearby.get(this.workspace_)?.put(withoutIds(this.best.block), event.shiftKey)) this.offer(true)
+      const hasNext = nearby.get(this.workspace_)?.put(withoutIds(this.best.block), event.shiftKey) === true
+      // Where no place is left the search goes on in all of the toolbox.
+      if (hasNext || event.shiftKey) this.offer(true)
       return
     }
     const end = this.field?.selectionStart === this.field?.value.length

@@ -10,7 +10,7 @@ import asyncio
 from collections import deque
 from collections.abc import Iterable
 
-from ....robots import DEFAULT_ROBOT
+from ....robots import ROBOTS
 from ....wire.channels import Values
 from ....wire.ros.actionlib import ACTIONLIB, KEPT_RESULTS, STATUS_STEPS, goal_of, reply_message, status_message
 from ....wire.ros.ros_messages import completed
@@ -22,7 +22,8 @@ from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
 
-_ACTIONS = DEFAULT_ROBOT.actions.keys()
+_ACTIONS = frozenset(action for robot in ROBOTS.values() for action in robot.actions)
+"""Of any robot of the simulator."""
 
 MAX_CLIENTS = 20
 """Connections of one session."""

@@ -1,0 +1,25 @@
+/// The backpack.
+
+export const backpack = {
+  title: "Backpack",
+  lead: "What you put in here, every program of this browser can take out.",
+  empty: "The backpack is empty.",
+  with: (names: string) => `with ${names}`,
+  take: "Take it out into this program",
+  takeOf: (name: string) => `Take ${name} out into this program`,
+  removeOf: (name: string) => `Remove ${name} from the backpack`,
+  from: "From this program:",
+  putIn: "Put in",
+  put: (name: string) => `Put ${name} into the backpack`,
+  open: "Open the backpack",
+  packed: (name: string) => `${name} is in the backpack.`,
+  cameAlong: (names: string) => `It needs this, which came along: ${names}`,
+  notPacked: (name: string) => `${name} cannot be put into the backpack.`,
+  notPackedHint: "Its text is unfinished. Mend it first.",
+  full: "The backpack cannot be stored.",
+  fullHint: "This browser has no room left. Remove something from the backpack or delete old programs.",
+  notUnpacked: (name: string) => `${name} cannot be taken out here.`,
+  unpacked: (names: string) => `New in your program: ${names}.`,
+  present: (names: string) => `Your program has this already: ${names}.`,
+  renamed: (from: string, to: string) => `${from} is called ${to} here, because another ${from} was there.`,
+} as const
