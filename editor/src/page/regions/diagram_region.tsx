@@ -11,9 +11,8 @@ import {nextInList} from "../../views/diagram/list_navigation.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
 import {ActuatorConflicts} from "./actuator_conflicts.tsx"
+import {type Asked, ConnectionForm} from "./connection_form.tsx"
 import {
-  type Asked,
-  ConnectionForm,
   ConnectionMenu,
   FunctionActions,
   Palette,
