@@ -291,9 +291,9 @@ const main: BlockSpec = {
       const what: Expr =
         items.length === 1 && only !== undefined ? only : {kind: "tuple", items, from: r.from}
       const fn: Expr = {kind: "variable", name: "simulate", from: r.from}
-      // `simulate $ do …` reads better than brackets around many lines.
+      // `simulate $ do …` and `simulate $ forever $ do …` read better than brackets around many lines.
       const body: Expr =
-        what.kind === "do"
+        what.kind === "do" || (what.kind === "infix" && what.op === "$")
           ? {kind: "infix", op: "$", left: fn, right: what, from: r.from}
           : {kind: "apply", fn, args: [what], from: r.from}
       return {

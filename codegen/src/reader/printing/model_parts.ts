@@ -31,7 +31,7 @@ const written = new WeakMap<Node, Node>()
 /// The node as blocks say it: a `do` of one step is the step, and `f x $ do steps` is a call of `f`, as `f x do steps` is.
 export function saidByBlocks(node: Node): Node {
   if (isOneStep(node)) return saidByBlocks(node.statements[0].expr)
-  if (node.kind !== "infix" || node.op !== "$" || node.right.kind !== "do") return node
+  if (node.kind !== "infix" || node.op !== "$" || !endsWithSteps(node.right)) return node
   const known = calls.get(node)
   if (known !== undefined) return known
   const [fn, args] = node.left.kind === "apply" ? [node.left.fn, node.left.args] : [node.left, []]
@@ -39,6 +39,13 @@ export function saidByBlocks(node: Node): Node {
   calls.set(node, call)
   written.set(call, node)
   return call
+}
+
+/// Whether an expression is a `do`, or calls that end with one: `forever $ do steps`.
+function endsWithSteps(node: Node): boolean {
+  let last = node
+  while (last.kind === "infix" && last.op === "$") last = last.right
+  return last.kind === "do"
 }
 
 /// The node of the text for a node of `saidByBlocks`.

@@ -144,6 +144,11 @@ export const sentences: Pick<
       `\`${name}\` calcula \`${type}\` junto com o resto que envia. Separe-os primeiro nos blocos.`,
     usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
     unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
+    noSuchStep: "Este não é um passo que se possa mudar aqui. Mude-o no texto.",
+    onlyStep: "É o único passo aqui. Acrescente outro antes, ou apague o que está em volta.",
+    insideItself: "Um passo não pode ficar dentro de si mesmo.",
+    otherChain: "Só passos da mesma tarefa podem ser unidos assim. Mova um deles antes.",
+    notComposed: "Isto não é um laço e nada acontece ao mesmo tempo, então não há nada a desfazer.",
   },
   renaming: {
     thisBlockIsGone: "Este bloco não existe mais.",

@@ -36,6 +36,9 @@ const actuators = endsOf("command", [...commands])
 /// What it remembers is asked when it is connected.
 const memories = endsOf("store", [newMemory])
 
+const kindOf = ({kind}: ConnectionEnd) =>
+  kind === "new-step" || kind === "program" ? "" : words.diagram.list.kinds[kind]
+
 const nameOf = ({type}: ConnectionEnd) =>
   type === "()" ? words.diagram.list.tick : type === newMemory ? words.diagram.edit.newMemory : type
 
@@ -99,9 +102,9 @@ export function useConnectionDrag(
     return openConnectionDrag(stage.current, {
       verdict(from, to) {
         const proposal = propose(from, to)
-        return proposal.kind === "offered"
-          ? {fits: true, text: proposal.title}
-          : {fits: false, text: proposal.why}
+        return proposal.kind === "refused"
+          ? {fits: false, text: proposal.why}
+          : {fits: true, text: proposal.title}
       },
       dropped: (from, to, at) => answer.current(propose(from, to), at),
     })
@@ -265,7 +268,7 @@ export function ConnectionMenu({ask}: {ask: (proposal: Proposal, at: Point) => v
         <option value="">…</option>
         {ends.map(end => (
           <option key={keyOf(end)} value={keyOf(end)}>
-            {nameOf(end)}, {words.diagram.list.kinds[end.kind]}
+            {nameOf(end)}, {kindOf(end)}
           </option>
         ))}
       </select>

@@ -19,6 +19,7 @@ import {openDrawing} from "./view.ts"
 export type {DiagramNode} from "./network/network.ts"
 export type {OutlineLine} from "./network/outline.ts"
 export {pendingParts} from "./network/pending_parts.ts"
+export {openedTasks, withWrittenTasks} from "./network/written_steps.ts"
 
 export interface DiagramOptions {
   readonly words: ViewWords
@@ -41,7 +42,7 @@ export interface DiagramView {
   at(frame: Frame | null, now: number): void
   /// A new run: nothing has happened yet.
   clear(): void
-  select(name: string | null): void
+  select(name: string | null, block: string | null): void
   /// Marks what led to the answer of a question.
   explain(path: CausalPath): void
   /// Places everything anew.
@@ -126,7 +127,7 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     clear() {
       activity = noActivity
     },
-    select: name => drawing.select(name),
+    select: (name, block) => drawing.select(name, block),
     explain: path => drawing.explain(path),
     tidy() {
       layout = null
