@@ -172,7 +172,7 @@ function runFollower(store: Store): (state: PageState, diagram: DiagramView, now
   let lookedAt: number | null = null
   /// Seconds of the run up to which frames have been seen.
   let seenTo = Number.NEGATIVE_INFINITY
-  return ({room}, diagram, now) => {
+  return ({room, run: {kind}}, diagram, now) => {
     if (room.run !== run || room.lookedAt !== lookedAt) {
       diagram.clear()
       run = room.run
@@ -191,6 +191,7 @@ function runFollower(store: Store): (state: PageState, diagram: DiagramView, now
       f => f.time > seenTo,
     )
     seenTo = frames.at(-1)?.time ?? seenTo
+    if (kind === "ended") diagram.rest()
     if (diagram.live(frames, now)) store.redraw()
   }
 }

@@ -42,6 +42,8 @@ export interface DiagramView {
   at(frame: Frame | null, now: number): void
   /// A new run: nothing has happened yet.
   clear(): void
+  /// The run is over: no step of a task is at work.
+  rest(): void
   select(name: string | null, block: string | null): void
   /// Marks what led to the answer of a question.
   explain(path: CausalPath): void
@@ -126,6 +128,9 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     },
     clear() {
       activity = noActivity
+    },
+    rest() {
+      activity = {...activity, isOver: true}
     },
     select: (name, block) => drawing.select(name, block),
     explain: path => drawing.explain(path),

@@ -7,7 +7,7 @@ export const diagram: typeof english = {
   show: "Diagramm",
   showHint: "Zeigt, wie Werte von Funktion zu Funktion gehen",
   waiting: "Das Diagramm erscheint, wenn das Programm keine Fehler hat.",
-  empty: "Das Programm simuliert noch nichts. Zieh einen Sensor von links auf einen Aktor rechts.",
+  empty: "Das Programm simuliert noch nichts. Zieh einen Sensor auf einen Aktor, oder einen Schritt hierher.",
   failed: "Das Diagramm konnte nicht gezeichnet werden. Lade die Seite neu, um es noch einmal zu versuchen.",
   asList: "Als Liste",
   whole: "Alles zeigen",

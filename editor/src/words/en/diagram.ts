@@ -5,7 +5,7 @@ export const diagram = {
   show: "Diagram",
   showHint: "Show how values travel between functions",
   waiting: "The diagram appears when the program has no mistakes.",
-  empty: "The program simulates nothing yet. Drag a sensor from the left onto an actuator at the right.",
+  empty: "The program simulates nothing yet. Drag a sensor onto an actuator, or a step to here.",
   failed: "The diagram could not be drawn. Reload the page to try again.",
   asList: "As a list",
   whole: "Show all of it",

@@ -10,8 +10,7 @@ export const diagram: Words["diagram"] = {
   show: "Diagrama",
   showHint: "Muestra cómo viajan los valores entre las funciones",
   waiting: "El diagrama aparece cuando el programa no tiene errores.",
-  empty:
-    "El programa todavía no simula nada. Arrastra un sensor de la izquierda sobre un actuador de la derecha.",
+  empty: "El programa todavía no simula nada. Arrastra un sensor a un actuador, o un paso hasta aquí.",
   failed: "No se ha podido dibujar el diagrama. Vuelve a cargar la página para probar otra vez.",
   asList: "Como lista",
   whole: "Mostrarlo todo",

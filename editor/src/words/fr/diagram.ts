@@ -7,7 +7,7 @@ export const diagram: typeof english = {
   show: "Schéma",
   showHint: "Montrer comment les valeurs vont d'une fonction à l'autre",
   waiting: "Le schéma apparaît quand le programme n'a pas d'erreur.",
-  empty: "Le programme ne simule rien encore. Fais glisser un capteur de gauche sur un actionneur à droite.",
+  empty: "Le programme ne simule encore rien. Fais glisser un capteur sur un actionneur, ou une étape ici.",
   failed: "Le schéma n'a pas pu être dessiné. Recharge la page pour réessayer.",
   asList: "En liste",
   whole: "Tout montrer",

@@ -7,7 +7,7 @@ export const diagram: typeof english = {
   show: "Diagrama",
   showHint: "Mostra como os valores vão de uma função a outra",
   waiting: "O diagrama aparece quando o programa não tem erros.",
-  empty: "O programa ainda não simula nada. Arraste um sensor da esquerda para um atuador à direita.",
+  empty: "O programa ainda não simula nada. Arraste um sensor para um atuador, ou um passo para cá.",
   failed: "Não deu para desenhar o diagrama. Recarregue a página para tentar de novo.",
   asList: "Como lista",
   whole: "Mostrar tudo",
