@@ -156,6 +156,9 @@ describe("an edit of a task writes what a person would write:", () => {
   ])("%s", (_, before, named, after) => {
     const outcome = edit(before, named)
     expect(outcome.ok ? outcome.text : refusalSentence(outcome.refusal)).toBe(after)
+    // The blocks of the new text still say what is simulated, and its tasks can be edited again.
+    const {hasSimulate, tasks} = writtenNetwork(workspaceOf(openView(reader, after)))
+    expect([hasSimulate, tasks === null]).toEqual([true, false])
   })
 })
 

@@ -1,6 +1,6 @@
 /// Parts of a model node for comparison: what the node itself says, and its parts, as single places and as lists with their separators.
 
-import type {Node} from "../../model/syntax_tree.ts"
+import {endsWithSteps, type Node} from "../../model/syntax_tree.ts"
 
 export type Separator = "line" | "space" | "comma" | "bar"
 
@@ -39,13 +39,6 @@ export function saidByBlocks(node: Node): Node {
   calls.set(node, call)
   written.set(call, node)
   return call
-}
-
-/// Whether an expression is a `do`, or calls that end with one: `forever $ do steps`.
-function endsWithSteps(node: Node): boolean {
-  let last = node
-  while (last.kind === "infix" && last.op === "$") last = last.right
-  return last.kind === "do"
 }
 
 /// The node of the text for a node of `saidByBlocks`.

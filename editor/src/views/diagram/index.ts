@@ -8,6 +8,7 @@ import type {ViewOptions, ViewWords} from "./drawing/view_types.ts"
 import type {Point} from "./layout/geometry.ts"
 import {type Layout, layOut} from "./layout/layout.ts"
 import {openLayoutEngine} from "./layout/layout_engine.ts"
+import {placesAfter} from "./layout/renamed_places.ts"
 import {type Activity, isFading, noActivity, observe} from "./network/activity.ts"
 import type {CausalPath} from "./network/causal_path.ts"
 import {explained} from "./network/explained.ts"
@@ -113,7 +114,11 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     show(parts, text, conflicts) {
       const lines = text.split("\n")
       const first = whole.nodes.length === 0
+      const before = whole
       whole = networkOf(parts, at => textOf(lines, at), conflicts)
+      const places = placesAfter(before, whole, moved)
+      if (places !== moved) options.moved(places)
+      moved = places
       if (first) folded = firstFolds(whole)
       void draw()
     },

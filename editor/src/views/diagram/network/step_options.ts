@@ -126,7 +126,7 @@ export function dragOptions(
     return [{as: where, action: {kind: "add-step", at: to.type, where, step}}]
   }
   const [one, other] = [placeOf(tasks, from.type), placeOf(tasks, to.type)]
-  if (one === null || other === null || one === other) return []
+  if (one === null || other === null || one.task === other.task) return []
   const move = (where: "before" | "after"): StepOption => ({
     as: where === "before" ? "moveBefore" : "moveAfter",
     action: {kind: "move-step", step: from.type, at: to.type, where},
