@@ -110,7 +110,7 @@ describe("an edit of a task writes what a person would write:", () => {
       "a second step in a loop of one",
       main("(forever (turn 3))"),
       add("turn", "after"),
-      main("$ forever $ do", "  turn 3", "  wait 1"),
+      "main :: IO ()\nmain =\n  simulate\n    (forever $ do\n      turn 3\n      wait 1)\n",
     ],
     ["a step moved", two, move("turn", "drive", "before"), main("$ do", "  turn 90", "  drive 50 -- ahead")],
     [
@@ -127,7 +127,7 @@ describe("an edit of a task writes what a person would write:", () => {
     ],
     ["a step deleted", two, remove("drive"), main("(turn 90)")],
     ["the only step of the program deleted", main("(drive 50)"), remove("drive"), main("_")],
-    ["a loop of all", two, loop("turn", "drive"), main("$ forever $ do", "  drive 50 -- ahead", "  turn 90")],
+    ["a loop of all", two, loop("turn", "drive"), main("(forever $ do", "  drive 50 -- ahead", "  turn 90)")],
     [
       "a loop of one",
       two,

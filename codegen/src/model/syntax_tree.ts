@@ -247,13 +247,6 @@ export type Node =
   | Statement
   | Pattern
 
-/// Whether an expression is a `do`, or calls that end with one: `forever $ do steps`.
-export function endsWithSteps(node: Node): boolean {
-  let last = node
-  while (last.kind === "infix" && last.op === "$") last = last.right
-  return last.kind === "do"
-}
-
 /// For the end of a `switch` over all kinds.
 export function unreachable(x: never): never {
   throw new Error(`expected a kind of node, found ${JSON.stringify(x)}`)

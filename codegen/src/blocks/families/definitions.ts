@@ -2,14 +2,7 @@
 
 import type {Family, Item, Row} from "../../block_shape.ts"
 import {isOperator, isVariableName} from "../../haskell/lexemes.ts"
-import {
-  type Clause,
-  type Declaration,
-  type Expr,
-  endsWithSteps,
-  type Pattern,
-  type Statement,
-} from "../../model/syntax_tree.ts"
+import type {Clause, Declaration, Expr, Pattern, Statement} from "../../model/syntax_tree.ts"
 import {commands, events, states, typeOfConstructor} from "../../robot/roles.ts"
 import type {Extra} from "../../serialized_blocks.ts"
 import {perLanguage, words} from "../../words/index.ts"
@@ -298,10 +291,11 @@ const main: BlockSpec = {
       const what: Expr =
         items.length === 1 && only !== undefined ? only : {kind: "tuple", items, from: r.from}
       const fn: Expr = {kind: "variable", name: "simulate", from: r.from}
-      // `simulate $ do …` and `simulate $ forever $ do …` read better than brackets around many lines.
-      const body: Expr = endsWithSteps(what)
-        ? {kind: "infix", op: "$", left: fn, right: what, from: r.from}
-        : {kind: "apply", fn, args: [what], from: r.from}
+      // `simulate $ do …` reads better than brackets around many lines.
+      const body: Expr =
+        what.kind === "do"
+          ? {kind: "infix", op: "$", left: fn, right: what, from: r.from}
+          : {kind: "apply", fn, args: [what], from: r.from}
       return {
         kind: "function",
         name: "main",
@@ -341,7 +335,7 @@ const main: BlockSpec = {
 /// What `simulate` is given, also after `$`.
 function simulated(body: Expr): Expr | undefined {
   const isSimulate = (fn: Expr) => fn.kind === "variable" && fn.name === "simulate"
-  if (body.kind === "infix" && body.op === "$" && endsWithSteps(body.right))
+  if (body.kind === "infix" && body.op === "$" && body.right.kind === "do")
     return isSimulate(body.left) ? body.right : undefined
   return body.kind === "apply" && body.args.length === 1 && isSimulate(body.fn) ? body.args[0] : undefined
 }

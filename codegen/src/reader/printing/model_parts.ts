@@ -1,6 +1,6 @@
 /// Parts of a model node for comparison: what the node itself says, and its parts, as single places and as lists with their separators.
 
-import {endsWithSteps, type Node} from "../../model/syntax_tree.ts"
+import type {Node} from "../../model/syntax_tree.ts"
 
 export type Separator = "line" | "space" | "comma" | "bar"
 
@@ -31,7 +31,7 @@ const written = new WeakMap<Node, Node>()
 /// The node as blocks say it: a `do` of one step is the step, and `f x $ do steps` is a call of `f`, as `f x do steps` is.
 export function saidByBlocks(node: Node): Node {
   if (isOneStep(node)) return saidByBlocks(node.statements[0].expr)
-  if (node.kind !== "infix" || node.op !== "$" || !endsWithSteps(node.right)) return node
+  if (node.kind !== "infix" || node.op !== "$" || node.right.kind !== "do") return node
   const known = calls.get(node)
   if (known !== undefined) return known
   const [fn, args] = node.left.kind === "apply" ? [node.left.fn, node.left.args] : [node.left, []]
