@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` und \`${winner}\` stellen beide ${what} ein, und \`${winner}\` gewinnt immer.`,
     waysOut: "Sag mit dem Block `zuerst … für 1 s, sonst …` (`priority`), welche Vorrang hat.",
     goesFirst: loser => `${loser} vorlassen, 1 s lang`,
+    addsUp: (one, other) => `Zusammenzählen, was ${one} und ${other} wollen`,
   },
   types: {
     something: "irgendetwas",

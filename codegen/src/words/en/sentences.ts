@@ -8,6 +8,7 @@ export const sentences = {
       `\`${loser}\` and \`${winner}\` both set ${what}, and \`${winner}\` keeps winning.`,
     waysOut: "Say which one goes first with the block `first … for 1 s, otherwise …` (`priority`).",
     goesFirst: (loser: string) => `Let ${loser} go first, for 1 s`,
+    addsUp: (one: string, other: string) => `Add up what ${one} and ${other} want`,
   },
   types: {
     something: "something",

@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` y \`${winner}\` deciden las dos ${what}, y siempre gana \`${winner}\`.`,
     waysOut: "Di cuál va primero con el bloque `primero … durante 1 s, si no …` (`priority`).",
     goesFirst: loser => `Dejar que ${loser} vaya primero, durante 1 s`,
+    addsUp: (one, other) => `Sumar lo que quieren ${one} y ${other}`,
   },
   types: {
     something: "algo",

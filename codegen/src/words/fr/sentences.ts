@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` et \`${winner}\` règlent toutes les deux ${what}, et c'est toujours \`${winner}\` qui gagne.`,
     waysOut: "Dis laquelle passe d'abord avec le bloc `d'abord … pendant 1 s, sinon …` (`priority`).",
     goesFirst: loser => `Laisser passer ${loser} d'abord, pendant 1 s`,
+    addsUp: (one, other) => `Additionner ce que veulent ${one} et ${other}`,
   },
   types: {
     something: "quelque chose",

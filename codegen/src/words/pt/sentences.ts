@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` e \`${winner}\` mudam ${what}, e \`${winner}\` sempre ganha.`,
     waysOut: "Diga qual vai primeiro com o bloco `primeiro … por 1 s, senão …` (`priority`).",
     goesFirst: loser => `Dar a vez a ${loser}, por 1 s`,
+    addsUp: (one, other) => `Somar o que ${one} e ${other} querem`,
   },
   types: {
     something: "alguma coisa",
