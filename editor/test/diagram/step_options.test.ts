@@ -2,7 +2,13 @@
 
 import type {WrittenTask} from "@rosy/codegen/network-edits"
 import {describe, expect, it} from "vitest"
-import {additions, dragOptions, newStep, stepOptions} from "../../src/views/diagram/network/step_options.ts"
+import {
+  additions,
+  dragOptions,
+  newStep,
+  stepAround,
+  stepOptions,
+} from "../../src/views/diagram/network/step_options.ts"
 
 const task = (kind: WrittenTask["kind"], block: string, ...steps: readonly WrittenTask[]): WrittenTask => ({
   kind,
@@ -46,6 +52,31 @@ describe("what can be done with a step", () => {
       "",
     ])
   })
+})
+
+it("a block that is selected belongs to the step with the shortest text around it", () => {
+  const ranges: {readonly [block: string]: readonly [number, number]} = {
+    all: [0, 90],
+    loop: [10, 40],
+    b: [20, 25],
+    number: [23, 25],
+    do: [10, 40],
+    main: [0, 100],
+  }
+  const rangeOf = (block: string) => {
+    const [start, end] = ranges[block] ?? []
+    return start === undefined || end === undefined ? null : {start, end}
+  }
+  const around = (block: string | null) => stepAround(tasks, block, rangeOf)?.block
+  expect(["b", "number", "do", "c", "main", "gone", null].map(around)).toEqual([
+    "b",
+    "b",
+    "loop",
+    "c",
+    undefined,
+    undefined,
+    undefined,
+  ])
 })
 
 describe("a drag", () => {

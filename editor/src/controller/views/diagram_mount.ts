@@ -17,6 +17,7 @@ import type {NetworkEditing} from "../../views/diagram/editing.ts"
 import type * as DiagramModule from "../../views/diagram/index.ts"
 import type {DiagramNode, DiagramView} from "../../views/diagram/index.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
+import {stepAround} from "../../views/diagram/network/step_options.ts"
 import {measures, words} from "../../words/index.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
 import type {PageParts} from "../document/page_parts.ts"
@@ -82,7 +83,10 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
         explained = answer
         view.explain(answer === null ? noPath : causalPath(answer))
       }
-      view.select(selectedDefinition(state.document.program, state.selected), state.selected)
+      const {program} = state.document
+      const {tasks} = loaded.editing.written()
+      const step = stepAround(tasks ?? [], state.selected, block => textRangeOf(program.spans, block))
+      view.select(selectedDefinition(program, state.selected), step?.block ?? null)
       followRun(state, view, now)
     },
     commands: {

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useEffect, useRef, useState} from "preact/hooks"
+import {textRangeOf} from "../../program/program.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import type {Proposal} from "../../views/diagram/editing.ts"
 import type {Point} from "../../views/diagram/layout/geometry.ts"
@@ -10,7 +11,7 @@ import {
   newStep,
   plainSteps,
   type StepOption,
-  stepAt,
+  stepAround,
   stepOptions,
 } from "../../views/diagram/network/step_options.ts"
 import {words} from "../../words/index.ts"
@@ -77,7 +78,8 @@ export function StepActions({asList}: {asList: boolean}): VNode | null {
   const editing = controller.diagram.editing()
   const tasks = editing?.written().tasks ?? []
   const block = last.current
-  const task = block === null ? null : stepAt(tasks, block)
+  const spans = usePageState(s => s.document.program.spans)
+  const task = stepAround(tasks, block, one => textRangeOf(spans, one))
   useEffect(() => setWhy(null), [block])
   if (editing === null || (task === null && !asList)) return null
   const {edit, list} = words.diagram

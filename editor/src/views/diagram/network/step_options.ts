@@ -48,6 +48,32 @@ function placeOf(tasks: readonly WrittenTask[], block: BlockId): Place | null {
 export const stepAt = (tasks: readonly WrittenTask[], block: BlockId): WrittenTask | null =>
   placeOf(tasks, block)?.task ?? null
 
+interface TextRange {
+  readonly start: number
+  readonly end: number
+}
+
+/// The step that a selected block is, or is in: the one with the shortest text around it.
+export function stepAround(
+  tasks: readonly WrittenTask[],
+  block: BlockId | null,
+  rangeOf: (block: BlockId) => TextRange | null,
+): WrittenTask | null {
+  if (block === null) return null
+  const exact = stepAt(tasks, block)
+  const inner = exact === null ? rangeOf(block) : null
+  if (inner === null) return exact
+  const all = (task: WrittenTask): readonly WrittenTask[] => [task, ...task.steps.flatMap(all)]
+  let best: {readonly task: WrittenTask; readonly length: number} | null = null
+  for (const task of tasks.flatMap(all)) {
+    const range = rangeOf(task.block)
+    if (range === null || range.start > inner.start || range.end < inner.end) continue
+    const length = range.end - range.start
+    if (best === null || length <= best.length) best = {task, length}
+  }
+  return best?.task ?? null
+}
+
 /// Whether it has a chain of its own, at whose end there is room for more.
 const hasChain = ({kind}: WrittenTask) => kind === "sequence" || kind === "repeat"
 
