@@ -231,12 +231,11 @@ function choose(store: Store, parts: PageParts, node: DiagramNode): void {
   const {at} = node
   const isCurrent = store.now.network?.text === program.text
   const place = at === null || !isCurrent ? null : rangeAt(program.text, at)
-  // A step is where it stands, not where what it calls is defined.
-  const own = node.block === null ? null : textRangeOf(program.spans, node.block)
-  const range = own ?? definition ?? place
-  if (range === null) return
-  const block = own === null ? (definition?.block ?? innermostBlock(program.spans, range)) : node.block
-  parts.source?.reveal({start: range.start, end: range.end})
+  // A step is where it stands, not where what it calls is defined. One that is all of its task may have no text of its own.
+  const range = node.block === null ? (definition ?? place) : textRangeOf(program.spans, node.block)
+  if (range !== null) parts.source?.reveal({start: range.start, end: range.end})
+  const block =
+    node.block ?? definition?.block ?? (range === null ? null : innermostBlock(program.spans, range))
   if (block === null) return
   store.dispatch({kind: "selected", block, in: "blocks"})
   if (!store.now.arrangement.hidden.includes("blocks")) parts.blocks?.select(block)
