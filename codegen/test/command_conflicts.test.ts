@@ -5,6 +5,7 @@ import {beforeAll, describe, expect, test} from "vitest"
 import {
   type ConflictNames,
   conflictFix,
+  conflictMerge,
   conflictShown,
   infer,
   newProject,
@@ -297,6 +298,46 @@ const fixOf = (text: string, names: ConflictNames) =>
     start: text.indexOf("main ::"),
     end: text.length,
   })
+
+/// The program whose functions are added up.
+function merged(text: string, names: ConflictNames): string | undefined {
+  const main = {start: text.indexOf("main ::"), end: text.length}
+  const fix = conflictMerge(workspaceOf(openView(reader, text)), names, text, main)
+  return fix?.edits
+    .toSorted((one, other) => other.start - one.start)
+    .reduce((now, {start, end, text: by}) => now.slice(0, start) + by + now.slice(end), text)
+}
+
+test.each([
+  ["steer accelerate", true],
+  ["accelerate drive", true],
+  ["drive circle", true],
+  ["glow recallNow timed", true],
+  ["drive backOff", false],
+  ["drive sometimes", false],
+  ["glow bumpLamp", false],
+])("the sum of what both want, where both are always asked: %s", (run, exists) => {
+  const [loser = "", winner = ""] = run.split(" ").slice(-2)
+  const command = run.startsWith("glow b") ? "Led1" : "Velocity"
+  const text = merged(program(run), {command, winner, loser})
+  expect(text !== undefined).toBe(exists)
+  if (text === undefined) return
+  expect(infer(workspaceOf(openView(reader, text))).problems, text).toEqual([])
+  expect(lastLine(text)).toBe(`main = simulate (${run.startsWith("glow") ? "glow, " : ""}together)`)
+})
+
+test("the sum takes each input once", () => {
+  const names = {command: "Velocity", winner: "accelerate", loser: "recallNow"}
+  expect(
+    merged(program("recallNow accelerate"), names),
+  ).toContain(`together :: Memory Bool -> Velocity -> Velocity
+together input1 input2 = Velocity (v1 + v2) (w1 + w2)
+  where
+    Velocity v1 w1 = recallNow input1 input2
+    Velocity v2 w2 = accelerate input2
+
+main ::`)
+})
 
 const lastLine = (text: string) => text.trimEnd().slice(text.trimEnd().lastIndexOf("\n") + 1)
 

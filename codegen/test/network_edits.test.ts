@@ -1,6 +1,5 @@
 /// Edits of the dataflow network: what they write, why they are refused, and that they change nothing else.
 
-import {readdirSync, readFileSync} from "node:fs"
 import {beforeAll, describe, expect, test} from "vitest"
 import {
   type NetworkAction,
@@ -13,6 +12,7 @@ import {openView, type Reader, syncText, workspaceOf} from "../src/reader/index.
 import {pieceText} from "../src/reader/view/view.ts"
 import {inferWorkspace} from "../src/workspace/inference/workspace_inference.ts"
 import {isRefusal} from "../src/workspace/moves/refusal_messages.ts"
+import {drawnAction, exampleTexts} from "./generate/network_actions.ts"
 import {Dice} from "./generate/random.ts"
 import {testReader} from "./reader/open.ts"
 
@@ -290,7 +290,7 @@ test("an edit of a definition whose text is broken is refused, and names it", ()
   })
 })
 
-test("the written network tells what runs, what stands beside, and no helpers or tasks", () => {
+test("the written network tells what runs, what stands beside, tasks, and no helpers", () => {
   const text = `type Hit = Bool
 data Alarm = Alarm
 data Mode = Calm | Alarmed
@@ -316,6 +316,8 @@ main = simulate (f, drive 10)
   expect(writtenNetwork(workspaceOf(openView(reader, text)))).toEqual({
     hasSimulate: true,
     types: ["Mode", "Turn"],
+    tasks: [{kind: "step", block: expect.any(String), name: "drive", turns: null, steps: [], result: null}],
+    steps: [],
     functions: [
       {
         name: "f",
@@ -331,54 +333,16 @@ main = simulate (f, drive 10)
   })
 })
 
-const examples = new URL("../../examples/", import.meta.url)
-const programs = readdirSync(examples)
-  .filter(name => /^[a-z]\w*$/.test(name) && name !== "lessons")
-  .flatMap(name => {
-    const file = readdirSync(new URL(`${name}/`, examples)).find(one => one.endsWith(".hs"))
-    return file === undefined
-      ? []
-      : [[name, readFileSync(new URL(`${name}/${file}`, examples), "utf8")] as const]
-  })
-
-/// An edit of a program, drawn at random, and the definitions that it may change.
-function drawn(text: string, dice: Dice): [NetworkAction, readonly string[]] {
-  const functions = writtenNetwork(workspaceOf(openView(reader, text))).functions.map(f => f.name)
-  const pick = <T>(all: readonly T[]): T => all[dice.below(all.length)] as T
-  const fn = functions.length === 0 ? "none" : pick(functions)
-  const other = functions.length === 0 ? "none" : pick(functions)
-  const type = pick(["Bumper", "Cliff", "Velocity", "Seconds", "Memory Int", "Button"])
-  const as = pick(["all", "either"] as const)
-  const name = `added${dice.below(100)}`
-  return pick<[NetworkAction, readonly string[]]>([
-    [
-      {kind: "connect-sensor-to-actuator", sensor: type, actuator: pick(["Velocity", "Led1", "Sound"]), name},
-      [name, "main"],
-    ],
-    [{kind: "add-input", function: fn, type, as}, [fn]],
-    [{kind: "add-output", function: fn, type: pick(["Velocity", "Led2", "Memory Int"])}, [fn]],
-    [{kind: "connect-functions", from: fn, to: other, event: "Signal", as}, [fn, other, "Signal"]],
-    [{kind: "cut-input", function: fn, type}, [fn]],
-    [
-      {kind: "cut-output", function: fn, type: pick(["Velocity", "Led1", "Memory Int", "Sound"])},
-      [fn, "main"],
-    ],
-    [{kind: "delete", function: fn}, [fn, "main"]],
-    [{kind: "duplicate", function: fn, name}, [name]],
-    [{kind: pick(["join", "leave"] as const), function: fn}, ["main"]],
-  ])
-}
-
 const cases = 6 * Number(process.env.ROSY_TEST_NIGHTLY ?? 1)
 
 test("random edits of the examples change the meant definitions alone, and every type fits", () => {
   let made = 0
-  for (const [name, program] of programs) {
+  for (const [name, program] of exampleTexts) {
     const dice = new Dice(program.length)
     let text = program
     for (let i = 0; i < cases; i++) {
       const before = openView(reader, text)
-      const [action, meant] = drawn(text, dice)
+      const [action, meant] = drawnAction(before, dice)
       const outcome = networkEdit(reader, before, action)
       if (!outcome.ok) continue
       made++
@@ -394,5 +358,5 @@ test("random edits of the examples change the meant definitions alone, and every
       text = outcome.text
     }
   }
-  expect(made).toBeGreaterThan(2 * programs.length)
+  expect(made).toBeGreaterThan(2 * exampleTexts.length)
 })

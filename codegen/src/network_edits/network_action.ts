@@ -1,5 +1,12 @@
 /// Edits of the dataflow network as values, and what comes of one: a new text, or the cause why there is none.
 
+import type {BlockId} from "../serialized_blocks.ts"
+
+/// A step of a task that an edit adds, with values to be changed; `task` is a task of the program.
+export type NewStep =
+  | {readonly kind: "drive" | "turn" | "wait" | "say" | "driveUntilBump" | "driveBack"}
+  | {readonly kind: "task"; readonly name: string}
+
 /// Types are written as the program writes them, without brackets around the whole: `Bumper`, `Memory Hit`.
 export type NetworkAction =
   /// A new function of that type, which `simulate` runs. The sensor `()` is the tick: the function takes nothing.
@@ -34,6 +41,36 @@ export type NetworkAction =
   /// `simulate` runs the function, or no longer runs it.
   | {readonly kind: "join"; readonly function: string}
   | {readonly kind: "leave"; readonly function: string}
+  /// Steps of tasks are named by their blocks. `inside`: at the end of a loop or of a definition. Without a step it is the end of the program's task, which
+  /// begins with it where there is none.
+  | {
+      readonly kind: "add-step"
+      readonly at: BlockId | null
+      readonly where: "before" | "after" | "inside"
+      readonly step: NewStep
+    }
+  | {
+      readonly kind: "move-step"
+      readonly step: BlockId
+      readonly at: BlockId
+      readonly where: "before" | "after"
+    }
+  | {readonly kind: "delete-step"; readonly step: BlockId}
+  /// The steps from one to another of the same chain are repeated, for ever without a number of turns.
+  | {
+      readonly kind: "loop-steps"
+      readonly from: BlockId
+      readonly to: BlockId
+      readonly turns: number | null
+    }
+  | {
+      readonly kind: "put-beside"
+      readonly step: BlockId
+      readonly with: BlockId
+      readonly as: "parallel" | "race"
+    }
+  /// A loop, or two tasks side by side, become steps one after the other.
+  | {readonly kind: "take-apart"; readonly step: BlockId}
 
 /// A type of the program's own that an edit declares for what it connects: its name, and its values.
 export interface DeclaredType {
@@ -66,6 +103,15 @@ export type NetworkRefusal =
   | {readonly kind: "computes-together"; readonly function: string; readonly type: string}
   /// Other definitions use the function.
   | {readonly kind: "used-elsewhere"; readonly function: string}
+  | {readonly kind: "no-such-step"}
+  /// Nothing would be left in a loop, a definition or one of two tasks side by side.
+  | {readonly kind: "only-step"}
+  /// A step would stand inside of itself.
+  | {readonly kind: "inside-itself"}
+  /// Only steps of one chain can be repeated together, or put side by side.
+  | {readonly kind: "other-chain"}
+  /// Neither a loop nor tasks side by side.
+  | {readonly kind: "not-composed"}
   /// The program would have a mistake that it does not have; `why` is a sentence in the learner's language.
   | {readonly kind: "does-not-fit"; readonly why: string}
   /// The texts of these definitions are unfinished, or say what blocks cannot.

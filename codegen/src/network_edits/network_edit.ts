@@ -10,6 +10,7 @@ import {workspaceOf} from "../reader/view/view.ts"
 import {events, states} from "../robot/roles.ts"
 import type {SavedBlock, SavedWorkspace} from "../serialized_blocks.ts"
 import {expand} from "../types/environment/environment.ts"
+import {allTypes} from "../types/inference.ts"
 import {metasIn, showScheme, showType, spine, type Type} from "../types/syntax/type.ts"
 import {parseSignature, parseType} from "../types/syntax/type_parser.ts"
 import {InferenceSession} from "../workspace/inference/inference_session.ts"
@@ -36,6 +37,8 @@ import type {DeclaredType, NetworkAction, NetworkEdit} from "./network_action.ts
 import {Refused, refuse} from "./refused.ts"
 import {signatureParts, textOf, withAlternative, withArgument, withResultPart} from "./signature_text.ts"
 import {isPlaced, withoutPlaces, withPlace} from "./simulated_places.ts"
+import {isTaskAction, type TaskAction, taskEdit} from "./task_edits.ts"
+import {isTaskType} from "./written_tasks.ts"
 
 /// The text of the program after an edit of its network. A session remembers the types of definitions that stay the same. `declares` is a type that
 /// the edit needs.
@@ -87,6 +90,10 @@ class NetworkChange {
 
   /// Changes the workspace; returns the name of the definition to look at next.
   apply(action: NetworkAction): string | undefined {
+    if (isTaskAction(action)) {
+      this.#editTask(action)
+      return undefined
+    }
     switch (action.kind) {
       case "connect-sensor-to-actuator":
         this.#connect(action.sensor, action.actuator, action.name)
@@ -123,6 +130,23 @@ class NetworkChange {
         this.#leave(action.function)
         return action.function
     }
+  }
+
+  /// Two tasks side by side have a pair of results, which is thrown away where the program wants another one.
+  #editTask(action: TaskAction): void {
+    const tasks = new Set(
+      [...allTypes(this.inferred.inference)].flatMap(([node, type]) =>
+        "from" in node && node.from?.input === undefined && isTaskType(type) ? [node.from?.block] : [],
+      ),
+    )
+    const edited = (asUnit: boolean) => taskEdit(this.workspace, action, block => tasks.has(block), asUnit)
+    const plain = edited(false)
+    const fits = action.kind !== "put-beside" || this.#isWithoutNewMistake(plain)
+    this.workspace = fits ? plain : edited(true)
+  }
+
+  #isWithoutNewMistake(workspace: SavedWorkspace): boolean {
+    return newMistake(this.inferred, this.#session.inferWorkspace(workspace)) === undefined
   }
 
   #connect(sensor: string, actuator: string, name: string): void {

@@ -40,6 +40,16 @@ export function refusalSentence(refusal: NetworkRefusal): string {
       return say.computesTogether(refusal.function, refusal.type)
     case "used-elsewhere":
       return say.usedElsewhere(refusal.function)
+    case "no-such-step":
+      return say.noSuchStep
+    case "only-step":
+      return say.onlyStep
+    case "inside-itself":
+      return say.insideItself
+    case "other-chain":
+      return say.otherChain
+    case "not-composed":
+      return say.notComposed
     case "unfinished":
       return say.unfinished(refusal.names.join(", "))
     default:

@@ -1,6 +1,6 @@
 /// The functions of a program with what they take and send, as inference knows them: also of a program with empty places, which the compiler does not report.
 ///
-/// Tasks, and functions of other types than those of the robot, of memories and of the program's own events, are left out.
+/// Functions of other types than those of the robot, of memories and of the program's own events are left out.
 
 import {chain} from "../blocks/block_reader.ts"
 import {objectsIn} from "../blocks/spec/block_spec.ts"
@@ -12,6 +12,7 @@ import {parseSignature} from "../types/syntax/type_parser.ts"
 import {InferenceSession} from "../workspace/inference/inference_session.ts"
 import {everyBlockIn} from "../workspace/inference/workspace_inference.ts"
 import {isPlaced} from "./simulated_places.ts"
+import {isTaskType, type WrittenTask, writtenTasks} from "./written_tasks.ts"
 
 /// As in the compiler's report (`protocol/README.md` §3, *Graph*).
 export type WrittenShape =
@@ -39,12 +40,17 @@ export interface WrittenNetwork {
   readonly functions: readonly WrittenFunction[]
   /// The program's own types that tell something apart or hold something: what a memory can be of.
   readonly types: readonly string[]
+  /// The tasks that `simulate` runs; `null` where only the compiler knows them.
+  readonly tasks: readonly WrittenTask[] | null
+  /// The definitions that can be a step of a task as they are.
+  readonly steps: readonly string[]
   /// Whether the places of `simulate` are known; else nothing is said of what runs.
   readonly hasSimulate: boolean
 }
 
 export function writtenNetwork(workspace: SavedWorkspace, session = new InferenceSession()): WrittenNetwork {
-  const {inference, globals} = session.inferWorkspace(workspace)
+  const inferred = session.inferWorkspace(workspace)
+  const {inference, globals} = inferred
   const tops = workspace.blocks.blocks.flatMap(chain)
   const main = tops.find(({type}) => type === "main")
   const own = new Set(tops.flatMap(({type, extraState}) => (type === "data" ? String(extraState?.name) : [])))
@@ -68,7 +74,14 @@ export function writtenNetwork(workspace: SavedWorkspace, session = new Inferenc
     if (sent === undefined || (!runs && used.has(name))) return []
     return [{name, runs, inputs, output: sent}]
   })
-  return {functions, types: tops.flatMap(rememberable), hasSimulate: main !== undefined}
+  const steps = [...globals.all()].flatMap(([name, {type}]) => (isTaskType(type) ? [name] : []))
+  return {
+    functions,
+    types: tops.flatMap(rememberable),
+    tasks: writtenTasks(inferred),
+    steps,
+    hasSimulate: main !== undefined,
+  }
 }
 
 /// The name of a type without parameters that is not only an event.

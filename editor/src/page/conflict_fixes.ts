@@ -1,6 +1,6 @@
 /// Fixes of a conflict between two functions: a text edit of what `simulate` runs. Pure.
 
-import {conflictFix} from "@rosy/codegen"
+import {conflictFix, conflictMerge} from "@rosy/codegen"
 import type {Document} from "../program/history.ts"
 import type {Finding, Fix} from "../program/program.ts"
 
@@ -11,5 +11,7 @@ export function conflictFixes(
   const main = program.definitions.find(definition => definition.name === "main")
   if (conflict === undefined || main === undefined) return []
   const fix = conflictFix(workspace, conflict, program.text, main)
-  return fix === undefined ? [] : [{title: fix.title, edits: [fix]}]
+  if (fix === undefined) return []
+  const merge = conflictMerge(workspace, conflict, program.text, main)
+  return [{title: fix.title, edits: [fix]}, ...(merge === undefined ? [] : [merge])]
 }

@@ -1,5 +1,6 @@
 /// The network of functions, tasks and steps that a program runs, as the compiler reports it (`protocol/README.md` §3, *Graph*), and its decoder.
 
+import type {BlockId} from "@rosy/codegen"
 import {
   boolean,
   type Decoder,
@@ -61,6 +62,10 @@ interface Named {
   readonly name: string
   /// `null` when it is not in the text.
   readonly at: Extent | null
+  /// Of a task that is read from the program's blocks: the block of the expression, its text, and what the next steps call its result.
+  readonly block?: BlockId
+  readonly text?: string
+  readonly result?: string | null
 }
 
 export type ProgramPart =

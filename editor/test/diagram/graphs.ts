@@ -23,10 +23,13 @@ export function readParts(name: string): readonly ProgramPart[] {
   return parts.value
 }
 
-export function readGraph(name: string): Network {
+export function readSource(name: string): string {
   const own = join(goldens, `${name}.hs`)
-  const source = readFileSync(existsSync(own) ? own : join(root, "examples", name, "Main.hs"), "utf8")
-  const lines = source.split("\n")
+  return readFileSync(existsSync(own) ? own : join(root, "examples", name, "Main.hs"), "utf8")
+}
+
+export function readGraph(name: string): Network {
+  const lines = readSource(name).split("\n")
   const textAt = ({line, column, endLine, endColumn}: Extent) =>
     (lines[line - 1] ?? "").slice(column - 1, line === endLine ? endColumn - 1 : undefined)
   return networkOf(readParts(name), textAt)

@@ -30,6 +30,8 @@ const literal: ProgramPart = {...part("Velocity 0.5 0", "()"), inputs: []} as Pr
 const network = (...functions: readonly WrittenFunction[]): WrittenNetwork => ({
   functions,
   types: [],
+  tasks: null,
+  steps: [],
   hasSimulate: true,
 })
 const defined = new Set(["main", "go", "stop", "beside"])
@@ -57,7 +59,7 @@ describe("before the compiler's report the diagram shows", () => {
   })
 
   it("what was reported, where simulate cannot be read", () => {
-    const written = {functions: [], types: [], hasSimulate: false}
+    const written = {functions: [], types: [], tasks: null, steps: [], hasSimulate: false}
     expect(pendingParts([part("gone", "Bumper")], written, defined)).toEqual([part("gone", "Bumper")])
   })
 })

@@ -103,9 +103,9 @@ class ExactPrinting {
     const isArgument = saidByBlocks(fresh).kind !== "do" && dollarBefore(this.now, to, b) === undefined
     const dollar = old.kind === "do" && isArgument ? dollarBefore(this.before, all, a) : undefined
     if (dollar !== undefined) {
-      // The steps after `$` are an argument of the call; another argument that is not behind `$` stands there in brackets.
-      const own = this.text(fresh, b, columnAt(this.before, dollar) + 1, all)
-      return [{start: dollar, end: all.end, text: `(${own})`}]
+      // The steps after `$` are an argument of the call; another argument that is not behind `$` stands there, in brackets where it needs them.
+      const own = this.text(fresh, b, columnAt(this.before, dollar) + (needed ? 1 : 0), all)
+      return [{start: dollar, end: all.end, text: needed ? `(${own})` : own}]
     }
     if (isBehindDollar && around === undefined && dollarBefore(this.before, all, a) === undefined) {
       const own = this.text(fresh, b, columnAt(this.before, all.start) + "$ ".length, all)

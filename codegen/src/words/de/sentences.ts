@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` und \`${winner}\` stellen beide ${what} ein, und \`${winner}\` gewinnt immer.`,
     waysOut: "Sag mit dem Block `zuerst … für 1 s, sonst …` (`priority`), welche Vorrang hat.",
     goesFirst: loser => `${loser} vorlassen, 1 s lang`,
+    addsUp: (one, other) => `Zusammenzählen, was ${one} und ${other} wollen`,
   },
   types: {
     something: "irgendetwas",
@@ -147,6 +148,12 @@ export const sentences: Pick<
       `\`${name}\` berechnet \`${type}\` zusammen mit anderem, was es sendet. Trenne beides zuerst in den Blöcken.`,
     usedElsewhere: name => `Eine andere Definition benutzt \`${name}\`. Ändere zuerst diese.`,
     unfinished: names => `Im Text von \`${names}\` ist etwas unfertig. Schreibe es zuerst fertig.`,
+    noSuchStep: "Das ist kein Schritt, der hier geändert werden kann. Ändere ihn im Text.",
+    onlyStep:
+      "Das ist hier der einzige Schritt. Füge zuerst einen anderen hinzu, oder lösche, was darum herum steht.",
+    insideItself: "Ein Schritt kann nicht in sich selbst stehen.",
+    otherChain: "So lassen sich nur Schritte derselben Aufgabe verbinden. Verschiebe zuerst einen.",
+    notComposed: "Das ist keine Schleife, und nichts läuft hier nebeneinander. Es gibt nichts aufzulösen.",
   },
   renaming: {
     thisBlockIsGone: "Diesen Block gibt es nicht mehr.",

@@ -8,6 +8,7 @@ export const sentences = {
       `\`${loser}\` and \`${winner}\` both set ${what}, and \`${winner}\` keeps winning.`,
     waysOut: "Say which one goes first with the block `first … for 1 s, otherwise …` (`priority`).",
     goesFirst: (loser: string) => `Let ${loser} go first, for 1 s`,
+    addsUp: (one: string, other: string) => `Add up what ${one} and ${other} want`,
   },
   types: {
     something: "something",
@@ -149,6 +150,11 @@ export const sentences = {
       `\`${name}\` computes \`${type}\` together with what else it sends. Write them apart in its blocks first.`,
     usedElsewhere: (name: string) => `Another definition uses \`${name}\`. Change that one first.`,
     unfinished: (names: string) => `Something in the text of \`${names}\` is unfinished. Finish it first.`,
+    noSuchStep: "This is no step that can be changed here. Change it in the text.",
+    onlyStep: "It is the only step here. Add another one first, or delete what is around it.",
+    insideItself: "A step cannot stand inside itself.",
+    otherChain: "Only steps that follow each other in the same task can be joined so. Move one first.",
+    notComposed: "This is no loop and nothing side by side, so there is nothing to take apart.",
   },
   renaming: {
     thisBlockIsGone: "This block is gone.",

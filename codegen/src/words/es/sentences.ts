@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` y \`${winner}\` deciden las dos ${what}, y siempre gana \`${winner}\`.`,
     waysOut: "Di cuál va primero con el bloque `primero … durante 1 s, si no …` (`priority`).",
     goesFirst: loser => `Dejar que ${loser} vaya primero, durante 1 s`,
+    addsUp: (one, other) => `Sumar lo que quieren ${one} y ${other}`,
   },
   types: {
     something: "algo",
@@ -144,6 +145,11 @@ export const sentences: Pick<
       `\`${name}\` calcula \`${type}\` junto con lo demás que envía. Sepáralos primero en los bloques.`,
     usedElsewhere: name => `Otra definición usa \`${name}\`. Cambia primero esa.`,
     unfinished: names => `Algo en el texto de \`${names}\` está sin terminar. Termínalo primero.`,
+    noSuchStep: "Este no es un paso que se pueda cambiar aquí. Cámbialo en el texto.",
+    onlyStep: "Es el único paso aquí. Añade antes otro, o borra lo que hay alrededor.",
+    insideItself: "Un paso no puede estar dentro de sí mismo.",
+    otherChain: "Así solo se pueden unir pasos de la misma tarea. Mueve antes uno.",
+    notComposed: "Esto no es un bucle y no hay nada a la vez, así que no hay nada que deshacer.",
   },
   renaming: {
     thisBlockIsGone: "Este bloque ya no está.",

@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` et \`${winner}\` règlent toutes les deux ${what}, et c'est toujours \`${winner}\` qui gagne.`,
     waysOut: "Dis laquelle passe d'abord avec le bloc `d'abord … pendant 1 s, sinon …` (`priority`).",
     goesFirst: loser => `Laisser passer ${loser} d'abord, pendant 1 s`,
+    addsUp: (one, other) => `Additionner ce que veulent ${one} et ${other}`,
   },
   types: {
     something: "quelque chose",
@@ -145,6 +146,11 @@ export const sentences: Pick<
       `\`${name}\` calcule \`${type}\` avec le reste de ce qu'il envoie. Sépare-les d'abord dans les blocs.`,
     usedElsewhere: name => `Une autre définition utilise \`${name}\`. Change d'abord celle-là.`,
     unfinished: names => `Le texte de \`${names}\` n'est pas terminé. Termine-le d'abord.`,
+    noSuchStep: "Ce n'est pas une étape que l'on peut modifier ici. Modifie-la dans le texte.",
+    onlyStep: "C'est la seule étape ici. Ajoutes-en d'abord une autre, ou supprime ce qui l'entoure.",
+    insideItself: "Une étape ne peut pas être à l'intérieur d'elle-même.",
+    otherChain: "Seules des étapes d'une même tâche peuvent être réunies ainsi. Déplaces-en d'abord une.",
+    notComposed: "Ce n'est pas une boucle, et rien ne se passe en même temps ici. Il n'y a rien à défaire.",
   },
   renaming: {
     thisBlockIsGone: "Ce bloc n'existe plus.",

@@ -12,6 +12,7 @@ export const sentences: Pick<
       `\`${loser}\` e \`${winner}\` mudam ${what}, e \`${winner}\` sempre ganha.`,
     waysOut: "Diga qual vai primeiro com o bloco `primeiro … por 1 s, senão …` (`priority`).",
     goesFirst: loser => `Dar a vez a ${loser}, por 1 s`,
+    addsUp: (one, other) => `Somar o que ${one} e ${other} querem`,
   },
   types: {
     something: "alguma coisa",
@@ -144,6 +145,11 @@ export const sentences: Pick<
       `\`${name}\` calcula \`${type}\` junto com o resto que envia. Separe-os primeiro nos blocos.`,
     usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
     unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
+    noSuchStep: "Este não é um passo que se possa mudar aqui. Mude-o no texto.",
+    onlyStep: "É o único passo aqui. Acrescente outro antes, ou apague o que está em volta.",
+    insideItself: "Um passo não pode ficar dentro de si mesmo.",
+    otherChain: "Só passos da mesma tarefa podem ser unidos assim. Mova um deles antes.",
+    notComposed: "Isto não é um laço e nada acontece ao mesmo tempo, então não há nada a desfazer.",
   },
   renaming: {
     thisBlockIsGone: "Este bloco não existe mais.",

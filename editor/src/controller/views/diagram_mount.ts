@@ -2,7 +2,8 @@
 
 import {download, downloadBlob, fileName} from "../../browser/local_files.ts"
 import type {Store} from "../../browser/store.ts"
-import {innermostBlock, offsetOf, selectedDefinition} from "../../program/program.ts"
+import {innermostBlock, offsetOf, selectedDefinition, textRangeOf} from "../../program/program.ts"
+import type {Extent} from "../../program/program_graph.ts"
 import {viewOf} from "../../state/arrangement.ts"
 import type {Explanation} from "../../state/messages/why_state.ts"
 import {awaitsProgram, type PageState} from "../../state/page_state.ts"
@@ -13,8 +14,10 @@ import type {AppController} from "../../ui/app_context.ts"
 import {lastOf} from "../../values/last_values.ts"
 import {nodeQuestions} from "../../values/node_questions.ts"
 import type {NetworkEditing} from "../../views/diagram/editing.ts"
-import type {DiagramNode, DiagramView, pendingParts as pendingPartsOf} from "../../views/diagram/index.ts"
+import type * as DiagramModule from "../../views/diagram/index.ts"
+import type {DiagramNode, DiagramView} from "../../views/diagram/index.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
+import {stepAround} from "../../views/diagram/network/step_options.ts"
 import {measures, words} from "../../words/index.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
 import type {PageParts} from "../document/page_parts.ts"
@@ -31,7 +34,7 @@ export interface DiagramMount {
 interface LoadedDiagram {
   readonly view: DiagramView
   readonly editing: NetworkEditing
-  readonly pendingParts: typeof pendingPartsOf
+  readonly parts: Pick<typeof DiagramModule, "pendingParts" | "openedTasks" | "withWrittenTasks">
 }
 
 export function openDiagramMount(store: Store, parts: PageParts, editor: DocumentEditor): DiagramMount {
@@ -80,7 +83,10 @@ export function openDiagramMount(store: Store, parts: PageParts, editor: Documen
         explained = answer
         view.explain(answer === null ? noPath : causalPath(answer))
       }
-      view.select(selectedDefinition(state.document.program, state.selected))
+      const {program} = state.document
+      const {tasks} = loaded.editing.written()
+      const step = stepAround(tasks ?? [], state.selected, block => textRangeOf(program.spans, block))
+      view.select(selectedDefinition(program, state.selected), step?.block ?? null)
       followRun(state, view, now)
     },
     commands: {
@@ -108,12 +114,12 @@ async function loadDiagram(
   parts: PageParts,
   editor: DocumentEditor,
 ): Promise<LoadedDiagram> {
-  const [{openDiagram, pendingParts}, network] = await Promise.all([
+  const [diagram, network] = await Promise.all([
     import("../../views/diagram/index.ts"),
     import("@rosy/codegen/network-edits"),
   ])
   const editing = networkEditing(network, store, parts, editor, name => chooseDefinition(store, parts, name))
-  const view = openDiagram(host, {
+  const view = diagram.openDiagram(host, {
     words: words.diagram,
     chosen: node => choose(store, parts, node),
     valueClicked(node) {
@@ -127,14 +133,15 @@ async function loadDiagram(
     typeOf: node => store.now.declared.find(d => d.name === node.key)?.type ?? null,
     drawn: (outcome, nodes) => store.dispatch({kind: "diagram", outcome, nodes}),
   })
-  return {view, editing, pendingParts}
+  return {view, editing, parts: diagram}
 }
 
 /// Shows the parts of the program when they differ from those that are shown.
 function programFollower(): (state: PageState, diagram: LoadedDiagram) => void {
   let shown = ""
   let shownOf: readonly unknown[] = []
-  return (state, {view, editing, pendingParts}) => {
+  let opened: ReturnType<typeof DiagramModule.openedTasks> = new Map()
+  return (state, {view, editing, parts}) => {
     const {network, document, findings} = state
     // A program with an empty place is not reported; what its text says of it is shown all the same.
     const isReported =
@@ -143,9 +150,19 @@ function programFollower(): (state: PageState, diagram: LoadedDiagram) => void {
     if (of.every((one, i) => one === shownOf[i]) || awaitsProgram(state)) return
     shownOf = of
     const defined = new Set(document.program.definitions.map(d => d.name))
-    const now = isReported ? network.parts : pendingParts(network?.parts ?? [], editing.written(), defined)
+    const {program} = document
+    if (isReported && network.text === program.text)
+      opened = parts.openedTasks(network.parts, at =>
+        innermostBlock(program.spans, rangeAt(program.text, at)),
+      )
+    const written = editing.written()
+    const functions = isReported ? network.parts : parts.pendingParts(network?.parts ?? [], written, defined)
+    const now = parts.withWrittenTasks(functions, written.tasks, opened, block => {
+      const range = textRangeOf(program.spans, block)
+      return range === null ? "" : program.text.slice(range.start, range.end)
+    })
     const commands = new Set(conflictsOf(state).flatMap(f => f.conflict?.command ?? []))
-    const conflicts = editing.written().hasSimulate ? commands : null
+    const conflicts = written.hasSimulate ? commands : null
     const content = JSON.stringify([now, conflicts === null ? null : [...conflicts]])
     if (content === shown) return
     shown = content
@@ -159,7 +176,7 @@ function runFollower(store: Store): (state: PageState, diagram: DiagramView, now
   let lookedAt: number | null = null
   /// Seconds of the run up to which frames have been seen.
   let seenTo = Number.NEGATIVE_INFINITY
-  return ({room}, diagram, now) => {
+  return ({room, run: {kind}}, diagram, now) => {
     if (room.run !== run || room.lookedAt !== lookedAt) {
       diagram.clear()
       run = room.run
@@ -178,9 +195,15 @@ function runFollower(store: Store): (state: PageState, diagram: DiagramView, now
       f => f.time > seenTo,
     )
     seenTo = frames.at(-1)?.time ?? seenTo
+    if (kind === "ended") diagram.rest()
     if (diagram.live(frames, now)) store.redraw()
   }
 }
+
+const rangeAt = (text: string, at: Extent) => ({
+  start: offsetOf(text, at),
+  end: offsetOf(text, {line: at.endLine, column: at.endColumn}),
+})
 
 const nameOf = (store: Store, extension: string) =>
   fileName(`${store.now.name} ${words.diagram.file}`.trim(), extension)
@@ -207,17 +230,12 @@ function choose(store: Store, parts: PageParts, node: DiagramNode): void {
   const definition = program.definitions.find(d => d.name === node.key)
   const {at} = node
   const isCurrent = store.now.network?.text === program.text
-  const place =
-    at === null || !isCurrent
-      ? null
-      : {
-          start: offsetOf(program.text, at),
-          end: offsetOf(program.text, {line: at.endLine, column: at.endColumn}),
-        }
-  const range = definition ?? place
-  if (range === null) return
-  const block = definition?.block ?? innermostBlock(program.spans, range)
-  parts.source?.reveal({start: range.start, end: range.end})
+  const place = at === null || !isCurrent ? null : rangeAt(program.text, at)
+  // A step is where it stands, not where what it calls is defined. One that is all of its task may have no text of its own.
+  const range = node.block === null ? (definition ?? place) : textRangeOf(program.spans, node.block)
+  if (range !== null) parts.source?.reveal({start: range.start, end: range.end})
+  const block =
+    node.block ?? definition?.block ?? (range === null ? null : innermostBlock(program.spans, range))
   if (block === null) return
   store.dispatch({kind: "selected", block, in: "blocks"})
   if (!store.now.arrangement.hidden.includes("blocks")) parts.blocks?.select(block)

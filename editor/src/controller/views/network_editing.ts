@@ -3,17 +3,20 @@
 import type {DeclaredType, NetworkAction, NetworkRefusal, WrittenNetwork} from "@rosy/codegen/network-edits"
 import type {Store} from "../../browser/store.ts"
 import {changesBetween} from "../../program/text_changes.ts"
-import type {NetworkEditing} from "../../views/diagram/editing.ts"
+import type {NetworkEditing, Proposal} from "../../views/diagram/editing.ts"
 import {
   actionOf,
   asksName,
   type Connection,
+  type ConnectionEnd,
   connectionOf,
   hasNewMemory,
+  isAboutSteps,
   joinings,
   suggestedName,
   withMemory,
 } from "../../views/diagram/network/connections.ts"
+import {dragOptions, stepAt} from "../../views/diagram/network/step_options.ts"
 import {words} from "../../words/index.ts"
 import type {DocumentEditor} from "../document/document_editor.ts"
 import type {PageParts} from "../document/page_parts.ts"
@@ -45,10 +48,26 @@ export function networkEditing(
   }
   const sentence = (refusal: NetworkRefusal) => network.refusalSentence(refusal)
   const taken = () => new Set(store.now.document.program.definitions.map(d => d.name))
+  const stepProposal = (from: ConnectionEnd, to: ConnectionEnd): Proposal => {
+    const {edit} = words.diagram
+    const outcomes = dragOptions(written().tasks ?? [], from, to).map(option => ({
+      option,
+      outcome: tryOut(option.action),
+    }))
+    const options = outcomes.flatMap(({option, outcome}) => (outcome?.ok ? [option] : []))
+    const [first] = options
+    const refusal = outcomes[0]?.outcome
+    if (first === undefined)
+      return {kind: "refused", why: refusal == null || refusal.ok ? edit.noStep : sentence(refusal.refusal)}
+    const title = options.length === 1 ? edit.stepActions[first.as] : edit.twoSteps(nameOf(from), nameOf(to))
+    return {kind: "steps", title, options}
+  }
+  const nameOf = ({type}: ConnectionEnd) => stepAt(written().tasks ?? [], type)?.name ?? type
   return {
     written,
     propose(from, to) {
       editor.flush()
+      if (isAboutSteps(from, to)) return stepProposal(from, to)
       const connection = connectionOf(from, to, name => ownEventsOf(written(), name))
       if (typeof connection === "string")
         return {kind: "refused", why: words.diagram.edit.misfits[connection]}

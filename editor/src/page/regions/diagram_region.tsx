@@ -11,9 +11,8 @@ import {nextInList} from "../../views/diagram/list_navigation.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
 import {ActuatorConflicts} from "./actuator_conflicts.tsx"
+import {type Asked, ConnectionForm} from "./connection_form.tsx"
 import {
-  type Asked,
-  ConnectionForm,
   ConnectionMenu,
   FunctionActions,
   Palette,
@@ -21,6 +20,7 @@ import {
   useConnectionDrag,
 } from "./diagram_editing.tsx"
 import {RegionHeader} from "./region_header.tsx"
+import {type AskedSteps, StepActions, StepChoice, StepPalette} from "./step_editing.tsx"
 
 export function DiagramRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
   const controller = useController()
@@ -28,19 +28,27 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [asList, setAsList] = useState(false)
   const [moves, setMoves] = useState(false)
   const {outcome} = usePageState(s => s.diagram)
-  // Tasks are shown as they were reported last; functions as the text has them, unless it is broken.
+  // What is computed is shown as it was reported last; functions and tasks as the text has them, unless it is broken.
   const isStale = usePageState(
     s =>
       s.network !== null &&
       !s.accepted &&
-      (s.document.dimmed.length > 0 || s.network.parts.some(part => part.kind !== "function")),
+      (s.document.dimmed.length > 0 || controller.diagram.editing()?.written().tasks === null),
   )
   const stage = useRef<HTMLDivElement>(null)
   const [asked, setAsked] = useState<Asked | null>(null)
+  const [steps, setSteps] = useState<AskedSteps | null>(null)
   const [refused, setRefused] = useState<string | null>(null)
   const ask = (proposal: Proposal, at: Point) => {
     setRefused(proposal.kind === "refused" ? proposal.why : null)
     setAsked(proposal.kind === "offered" ? {proposal, at} : null)
+    setSteps(null)
+    if (proposal.kind !== "steps") return
+    // What can mean one thing only is done at once.
+    const [only, ...others] = proposal.options
+    if (only !== undefined && others.length === 0)
+      setRefused(controller.diagram.editing()?.edit(only.action) ?? null)
+    else setSteps({proposal, at})
   }
   useConnectionDrag(stage, ask)
   useLayoutEffect(() => {
@@ -101,20 +109,34 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
       </div>
       <NodeQuestions />
       <FunctionActions />
+      <StepActions asList={asList} />
       {asList && shown && <ConnectionMenu ask={ask} />}
       {/* Haskell's names and arrows go from left to right in every language. */}
       <div class="diagram-stage" dir="ltr" ref={stage} onPointerDown={() => setRefused(null)}>
-        {!asList && <Palette side="sensors" isEmpty={outcome === "empty"} />}
+        {!asList && (
+          <div class="diagram-sources">
+            <Palette side="sensors" isEmpty={outcome === "empty"} />
+            <StepPalette isEmpty={outcome === "empty"} />
+          </div>
+        )}
         <div
           class={`diagram-host${isStale ? " stale" : ""}`}
           ref={host}
+          data-free-space
           hidden={asList || outcome !== "drawn"}
         />
         {asList && shown && outcome === "drawn" && <DiagramList />}
-        {message !== null && <p class="quiet diagram-message">{message}</p>}
+        {message !== null && (
+          <p class="quiet diagram-message" data-free-space>
+            {message}
+          </p>
+        )}
         {!asList && <Palette side="actuators" isEmpty={outcome === "empty"} />}
         {asked !== null && (
           <ConnectionForm key={asked.proposal.title} asked={asked} close={() => setAsked(null)} />
+        )}
+        {steps !== null && (
+          <StepChoice key={steps.proposal.title} asked={steps} close={() => setSteps(null)} />
         )}
         <ActuatorConflicts stage={stage} />
         {refused !== null && (

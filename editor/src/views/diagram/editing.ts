@@ -2,10 +2,13 @@
 
 import type {DeclaredType, NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
 import type {Connection, ConnectionEnd, Joining} from "./network/connections.ts"
+import type {StepOption} from "./network/step_options.ts"
 
 /// What becomes of a connection.
 export type Proposal =
   | {readonly kind: "refused"; readonly why: string}
+  /// Changes of tasks, of which one is chosen.
+  | {readonly kind: "steps"; readonly title: string; readonly options: readonly StepOption[]}
   | {
       readonly kind: "offered"
       readonly connection: Connection

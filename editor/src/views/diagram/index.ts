@@ -8,6 +8,7 @@ import type {ViewOptions, ViewWords} from "./drawing/view_types.ts"
 import type {Point} from "./layout/geometry.ts"
 import {type Layout, layOut} from "./layout/layout.ts"
 import {openLayoutEngine} from "./layout/layout_engine.ts"
+import {placesAfter} from "./layout/renamed_places.ts"
 import {type Activity, isFading, noActivity, observe} from "./network/activity.ts"
 import type {CausalPath} from "./network/causal_path.ts"
 import {explained} from "./network/explained.ts"
@@ -19,6 +20,7 @@ import {openDrawing} from "./view.ts"
 export type {DiagramNode} from "./network/network.ts"
 export type {OutlineLine} from "./network/outline.ts"
 export {pendingParts} from "./network/pending_parts.ts"
+export {openedTasks, withWrittenTasks} from "./network/written_steps.ts"
 
 export interface DiagramOptions {
   readonly words: ViewWords
@@ -41,7 +43,9 @@ export interface DiagramView {
   at(frame: Frame | null, now: number): void
   /// A new run: nothing has happened yet.
   clear(): void
-  select(name: string | null): void
+  /// The run is over: no step of a task is at work.
+  rest(): void
+  select(name: string | null, block: string | null): void
   /// Marks what led to the answer of a question.
   explain(path: CausalPath): void
   /// Places everything anew.
@@ -110,7 +114,11 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     show(parts, text, conflicts) {
       const lines = text.split("\n")
       const first = whole.nodes.length === 0
+      const before = whole
       whole = networkOf(parts, at => textOf(lines, at), conflicts)
+      const places = placesAfter(before, whole, moved)
+      if (places !== moved) options.moved(places)
+      moved = places
       if (first) folded = firstFolds(whole)
       void draw()
     },
@@ -126,7 +134,10 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     clear() {
       activity = noActivity
     },
-    select: name => drawing.select(name),
+    rest() {
+      activity = {...activity, isOver: true}
+    },
+    select: (name, block) => drawing.select(name, block),
     explain: path => drawing.explain(path),
     tidy() {
       layout = null

@@ -38,6 +38,7 @@ class SvgDiagram implements DrawnDiagram {
   /// The node that Tab leads to, and the function that is selected on the page.
   private current: string | null = null
   private selected: string | null = null
+  private selectedBlock: string | null = null
   /// The node that the pointer or the keyboard came to last.
   private pointedAt: string | null = null
   private path: CausalPath = noPath
@@ -106,9 +107,10 @@ class SvgDiagram implements DrawnDiagram {
     this.svg.classList.toggle("movable", on)
   }
 
-  select(name: string | null): void {
-    if (name === this.selected) return
+  select(name: string | null, block: string | null): void {
+    if (name === this.selected && block === this.selectedBlock) return
     this.selected = name
+    this.selectedBlock = block
     this.mark()
   }
 
@@ -145,7 +147,9 @@ class SvgDiagram implements DrawnDiagram {
     for (const edge of this.network.edges) {
       const route = layout.routes.get(edge.id)
       if (route === undefined || route.length < 2) continue
-      const drawn = drawEdge(edge, route, isJoin(this.network, edge.to))
+      const isStep = edge.role === "then" || edge.role === "again"
+      const after = isStep ? (this.nodes.get(edge.from)?.node.block ?? null) : null
+      const drawn = drawEdge(edge, route, isJoin(this.network, edge.to), after)
       this.labelLayer.append(drawn.text)
       this.edgeLayer.append(drawn.group)
       this.edges.set(edge.id, drawn)
@@ -190,14 +194,15 @@ class SvgDiagram implements DrawnDiagram {
   }
 
   private mark(): void {
-    const {selected} = this
+    const {selected, selectedBlock} = this
     const {marked, lines} = explained(this.network, this.path)
     for (const [id, {group}] of this.nodes) group.classList.toggle("why", marked.has(id))
     for (const [id, {group}] of this.edges) group.classList.toggle("why", lines.has(id))
     for (const {node, group} of this.nodes.values())
       group.classList.toggle(
         "selected",
-        selected !== null && node.kind === "function" && node.key === selected,
+        (selected !== null && node.kind === "function" && node.key === selected) ||
+          (node.block !== null && node.block === selectedBlock),
       )
   }
 

@@ -3,7 +3,6 @@
 
 import type {Point} from "../layout/geometry.ts"
 import type {ConnectionEnd} from "../network/connections.ts"
-import type {NodeKind} from "../network/network.ts"
 import {svgElement} from "./svg_element.ts"
 
 export interface ConnectionDragOptions {
@@ -43,7 +42,13 @@ function endAt(target: EventTarget | null): Grip | null {
   const {end, type} = element?.dataset ?? {}
   return element === null || end === undefined || type === undefined
     ? null
-    : {element, end: {kind: end as NodeKind, type}}
+    : {element, end: {kind: end as ConnectionEnd["kind"], type}}
+}
+
+/// A new step can be dropped on the free space of the drawing, too.
+function freeSpace({end}: Grip, target: Element | null): Grip | null {
+  const element = end.kind === "new-step" ? target?.closest<HTMLElement>("[data-free-space]") : null
+  return element == null ? null : {element, end: {kind: "program", type: ""}}
 }
 
 function follow(
@@ -96,7 +101,8 @@ function follow(
     const {x, y} = inStage(event.clientX, event.clientY)
     line.setAttribute("d", `M${line.dataset["from"]}L${x} ${y}`)
     note.style.transform = `translate(${Math.min(x + 14, stage.clientWidth - 250)}px, ${y + 16}px)`
-    const under = endAt(document.elementFromPoint(event.clientX, event.clientY))
+    const element = document.elementFromPoint(event.clientX, event.clientY)
+    const under = endAt(element) ?? freeSpace(from, element)
     point(under?.element === from.element ? null : under)
   }
   const stop = () => {

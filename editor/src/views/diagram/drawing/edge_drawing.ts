@@ -16,8 +16,19 @@ export interface DrawnEdge {
 }
 
 /// Draws an edge along its route; one that ends at a join has no head.
-export function drawEdge(edge: DiagramEdge, route: readonly Point[], toJoin: boolean): DrawnEdge {
+/// `after` is the block of the step that an arrow between two leaves: what is dropped on the arrow goes behind it.
+export function drawEdge(
+  edge: DiagramEdge,
+  route: readonly Point[],
+  toJoin: boolean,
+  after: string | null,
+): DrawnEdge {
   const group = svgElement("g", {class: `edge ${edge.role}${edge.perhaps ? " perhaps" : ""}`})
+  if (after !== null) {
+    group.dataset.end = "step"
+    group.dataset.type = after
+    group.append(svgElement("path", {class: "grip", d: pathOf(route)}))
+  }
   group.append(svgElement("path", {class: "line", d: pathOf(route)}))
   const end = route.at(-1) ?? {x: 0, y: 0}
   const before = route.at(-2) ?? end
@@ -36,6 +47,17 @@ export function drawEdge(edge: DiagramEdge, route: readonly Point[], toJoin: boo
     const number = svgElement("text", {class: "order", x: end.x - 16, y: end.y - 6})
     number.textContent = `${edge.order}`
     group.append(number)
+  }
+  if (edge.label !== null) {
+    const [a, b] = [route.at(-2) ?? end, end]
+    const isDown = Math.abs(a.x - b.x) < 1
+    const label = svgElement("text", {
+      class: "ending",
+      x: isDown ? a.x + 8 : (a.x + b.x) / 2,
+      y: isDown ? (a.y + b.y) / 2 + 4 : b.y - 6,
+    })
+    label.textContent = edge.label
+    group.append(label)
   }
   const {x, y, room} = labelPlace(route)
   const text = svgElement("text", {class: "carried", x, y: y - 6})

@@ -83,8 +83,9 @@ export function drawNode(
   return {node, group, title, value}
 }
 
-/// What a connection that begins or ends at a node is about: the name of a function, or a type as the program writes it.
-function typeOfEnd({kind, key, label}: DiagramNode): string | null {
+/// What a connection that begins or ends at a node is about: the name of a function, a type as the program writes it, or the block of a step.
+function typeOfEnd({kind, key, label, block}: DiagramNode): string | null {
+  if (block !== null) return block
   if (isContainer({kind}) || kind === "step" || kind === "done") return null
   return kind === "function" || key === "()" ? key : label
 }

@@ -40,8 +40,8 @@ export interface DrawnDiagram {
   show(network: Network, layout: Layout): void
   /// Whether a drag moves a node, and connects none.
   setMoving(on: boolean): void
-  /// Marks the functions of this name.
-  select(name: string | null): void
+  /// Marks the functions of this name, and the step of this block.
+  select(name: string | null, block: string | null): void
   /// Marks what led to the answer of a question.
   explain(path: CausalPath): void
   /// Texts change at most five times a second, unless `atOnce`.

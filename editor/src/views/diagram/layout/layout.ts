@@ -38,8 +38,9 @@ export interface Layout {
   readonly height: number
 }
 
-/// Space between the steps of a chart.
+/// Space between the steps of a chart, and beside them for the arrow that leads back.
 const stepGap = 26
+const loopGap = 20
 
 /// `moved`: the places that the learner gave to nodes, each in its scope; those of other nodes are ignored.
 export async function layOut(
@@ -147,9 +148,13 @@ function stacked(
     next += (isBeside ? size.w : size.h) + stepGap
   }
   const routes = new Map<string, readonly Point[]>()
-  for (const {id, from, to} of edges) {
+  for (const {id, from, to, role} of edges) {
     const [a, b] = [boxes.get(from), boxes.get(to)]
     if (a === undefined || b === undefined) continue
+    if (role === "again") {
+      routes.set(id, routeBack(a, b, Math.max(...[...boxes.values()].map(box => box.x + box.w)) + loopGap))
+      continue
+    }
     const x = Math.min(a.w, b.w) / 2
     routes.set(id, [
       {x, y: a.y + a.h},
@@ -157,6 +162,19 @@ function stacked(
     ])
   }
   return {boxes, routes}
+}
+
+/// From the right side of the last step around all to the right side of the first: to itself, where there is one.
+function routeBack(last: Box, first: Box, x: number): readonly Point[] {
+  const isSame = last === first
+  const low = last.y + (isSame ? (3 * last.h) / 4 : last.h / 2)
+  const high = first.y + (isSame ? first.h / 4 : first.h / 2)
+  return [
+    {x: last.x + last.w, y: low},
+    {x, y: low},
+    {x, y: high},
+    {x: first.x + first.w, y: high},
+  ]
 }
 
 function extentOf({boxes, routes}: ScopeLayout): {w: number; h: number} {

@@ -5,6 +5,7 @@ import {robot} from "@rosy/codegen/robot"
 import {commands, states} from "@rosy/codegen/roles"
 import type {Frame} from "../../../state/messages/messages.ts"
 import {type Network, shortened} from "./network.ts"
+import {runningSteps} from "./running_steps.ts"
 
 /// A firing lights a function and its edges this long, in ms of the learner's time.
 export const lightMs = 150
@@ -28,16 +29,25 @@ export interface Activity {
   readonly values: ReadonlyMap<string, {readonly value: string; readonly since: number}>
   /// How often the value of each memory has changed.
   readonly writes: ReadonlyMap<string, number>
+  /// The names of what fired, in this order; a name that fires again and again alone counts once. The latest ones of a long run.
+  readonly trail: readonly string[]
   /// Seconds of the run.
   readonly time: number
+  /// The run has ended: no step is at work.
+  readonly isOver: boolean
 }
+
+/// Names of the trail that are kept.
+const longestTrail = 500
 
 export const noActivity: Activity = {
   seen: new Map(),
   firings: new Map(),
   values: new Map(),
   writes: new Map(),
+  trail: [],
   time: 0,
+  isOver: false,
 }
 
 /// The activity after some frames; `now` is the learner's time in ms.
@@ -48,6 +58,7 @@ export function observe(before: Activity, frames: readonly Frame[], now: number)
   const firings = new Map(before.firings)
   const values = new Map(before.values)
   const writes = new Map(before.writes)
+  const trail = [...before.trail]
   const learn = (type: string, value: string, since: number) => {
     const known = values.get(type)?.value
     if (known !== value) values.set(type, {value, since})
@@ -56,6 +67,7 @@ export function observe(before: Activity, frames: readonly Frame[], now: number)
   for (const frame of frames) {
     for (const name of frame.fired) {
       seen.set(name, now)
+      if (trail.at(-1) !== name) trail.push(name)
       const recent = (firings.get(name) ?? []).filter(time => time > frame.time - rateWindow)
       firings.set(name, [...recent, frame.time])
     }
@@ -67,7 +79,7 @@ export function observe(before: Activity, frames: readonly Frame[], now: number)
       if (states.has(channel) || commands.has(channel)) learn(channel, valuesOf(channel, content), frame.time)
     learn("Seconds", frame.time.toFixed(1), frame.time)
   }
-  return {seen, firings, values, writes, time: last.time}
+  return {seen, firings, values, writes, trail: trail.slice(-longestTrail), time: last.time, isOver: false}
 }
 
 /// Characters of an event that are shown: a laser scan has thousands.
@@ -136,6 +148,7 @@ export function appearanceOf(
   function* containersOf(parent: string | null): Generator<string> {
     for (let id = parent; id !== null; id = parents.get(id) ?? null) yield id
   }
+  if (!activity.isOver) for (const id of runningSteps(network, activity)) lit.add(id)
   for (const edge of network.edges) {
     const owner = joins.get(edge.to) ?? joins.get(edge.from)
     const fired =

@@ -6,7 +6,8 @@ import type {NodeKind} from "./network.ts"
 
 /// Where a connection begins or ends. `type` is a type as the program writes it; of a function it is its name.
 export interface ConnectionEnd {
-  readonly kind: NodeKind
+  /// A step or a chart has its block as type. `new-step`: a step that is offered; `program`: the free space of the drawing.
+  readonly kind: NodeKind | "new-step" | "program"
   readonly type: string
 }
 
@@ -26,10 +27,16 @@ export type Connection =
 /// Why two ends are never connected.
 export type Misfit = "starts-at-command" | "ends-at-sensor" | "not-here"
 
-const gives = (kind: NodeKind) =>
+/// Whether a drag is about steps of tasks.
+export const isAboutSteps = (from: ConnectionEnd, to: ConnectionEnd): boolean =>
+  from.kind === "new-step" || (isStepKind(from.kind) && isStepKind(to.kind))
+
+const isStepKind = (kind: ConnectionEnd["kind"]) => kind === "step" || kind === "chart" || kind === "task"
+
+const gives = (kind: ConnectionEnd["kind"]) =>
   kind === "event" || kind === "state" || kind === "sample" || kind === "store" || kind === "channel"
 
-const takes = (kind: NodeKind) => kind === "command" || kind === "store" || kind === "channel"
+const takes = (kind: ConnectionEnd["kind"]) => kind === "command" || kind === "store" || kind === "channel"
 
 /// `sentBy` gives the program's own events that a function sends.
 export function connectionOf(

@@ -3,6 +3,7 @@
 /// Every scope (the program, a running task) has its own sources, stores and sinks, so a container is complete in itself and can be
 /// folded. An edge never leaves its scope; an event of the program's own that another scope takes is a node of the same name there.
 
+import type {BlockId} from "@rosy/codegen"
 import type {ChartKind, Extent, TopicName} from "../../../program/program_graph.ts"
 import type {Trigger} from "./type_roles.ts"
 
@@ -37,6 +38,8 @@ export interface DiagramNode {
   /// The type without synonyms, or the name under which a function fires.
   readonly key: string
   readonly at: Extent | null
+  /// Of a step or a chart that can be changed: its block in the program.
+  readonly block: BlockId | null
   readonly trigger: Trigger | null
   readonly chart: ChartKind | null
   readonly turns: number | null
@@ -47,7 +50,8 @@ export interface DiagramNode {
   readonly folded: boolean
 }
 
-export type EdgeRole = "triggers" | "reads" | "sends" | "writes" | "then"
+/// `then` leads to the next step, `again` from the last step of a loop to its first.
+export type EdgeRole = "triggers" | "reads" | "sends" | "writes" | "then" | "again"
 
 export interface DiagramEdge {
   readonly id: string
@@ -60,6 +64,8 @@ export interface DiagramEdge {
   readonly perhaps: boolean
   /// Place among the senders of a command; `null` when there is one.
   readonly order: number | null
+  /// How the step that it leaves ends: the name of its result, or the type of its `Done`.
+  readonly label: string | null
 }
 
 export interface Network {

@@ -80,7 +80,12 @@ class Builder {
       case "function":
         return this.#function(parent, part, isStart)
       case "step":
-        return this.#add(parent, "step", part.name, {key: part.name, at: part.at, label: this.#label(part)})
+        return this.#add(parent, "step", part.name, {
+          key: part.name,
+          at: part.at,
+          block: part.block ?? null,
+          label: this.#label(part),
+        })
       case "task": {
         const id = this.#container(parent, part, "task")
         this.scope(id, part.start, part.parts)
@@ -92,14 +97,27 @@ class Builder {
         // One turn of a repetition is a sequence without a name: its steps are those of the repetition.
         const [only] = part.steps
         const isTurn = part.kind === "repeat" && only?.kind === "sequence" && only.name === ""
-        const steps = (isTurn ? only.steps : part.steps).map(step => this.#part(id, step, false))
-        if (part.kind === "sequence" || isTurn)
+        const inner = isTurn ? only.steps : part.steps
+        const steps = inner.map(step => this.#part(id, step, false))
+        const isChain = part.kind === "sequence" || part.kind === "repeat"
+        const ends = inner.map((step, i) => this.#endOf(step, steps[i] ?? id))
+        if (isChain)
           steps.slice(1).forEach((step, i) => {
-            this.#edge(steps[i] ?? step, step, "then")
+            this.#edge(steps[i] ?? step, step, "then", {label: ends[i] ?? null})
           })
+        const [first, last] = [steps[0], steps.at(-1)]
+        if (part.kind === "repeat" && first !== undefined && last !== undefined)
+          this.#edge(last, first, "again", {label: ends.at(-1) ?? null})
         return id
       }
     }
+  }
+
+  /// How a step ends: the name of its result, or the type of the `Done` that its functions give.
+  #endOf({result}: ProgramPart, id: string): string | null {
+    if (typeof result === "string") return result
+    const done = [...this.#nodes.values()].find(node => node.parent === id && node.kind === "done")
+    return done === undefined ? null : done.label.replace(/ \(\)$/, "")
   }
 
   #container(
@@ -111,6 +129,7 @@ class Builder {
     return this.#add(parent, kind, part.name || part.kind, {
       key: part.name,
       at: part.at,
+      block: part.block ?? null,
       label: part.name,
       ...more,
     })
@@ -228,16 +247,27 @@ class Builder {
 
   #set(id: string, parent: string | null, kind: NodeKind, more: Partial<DiagramNode>): void {
     const rest = {trigger: null, chart: null, turns: null, topic: null, contested: false, folded: false}
-    this.#nodes.set(id, {id, parent, kind, label: "", key: "", at: null, ...rest, ...more})
+    this.#nodes.set(id, {id, parent, kind, label: "", key: "", at: null, block: null, ...rest, ...more})
   }
 
   #edge(from: string, to: string, role: EdgeRole, more: Partial<DiagramEdge> = {}): void {
     const id = `${from} → ${to} ${role}`
     if (!this.#edges.has(id))
-      this.#edges.set(id, {id, from, to, role, optional: false, perhaps: false, order: null, ...more})
+      this.#edges.set(id, {
+        id,
+        from,
+        to,
+        role,
+        optional: false,
+        perhaps: false,
+        order: null,
+        label: null,
+        ...more,
+      })
   }
 
   #label(part: ProgramPart): string {
+    if (part.text !== undefined) return shortened(part.text, longestLabel)
     if (part.at === null || (part.kind === "function" && /^[\p{L}_][\p{L}\p{N}_']*$/u.test(part.name)))
       return part.name
     return shortened(this.#textAt(part.at) || part.name, longestLabel)

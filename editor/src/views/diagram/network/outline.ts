@@ -21,6 +21,7 @@ export interface OutlineWords {
   readonly from: (all: string) => string
   readonly goesTo: (all: string) => string
   readonly followedBy: (next: string) => string
+  readonly backTo: (first: string) => string
   readonly contested: string
   /// How to see the ways out of a conflict.
   readonly waysOut: string
@@ -104,12 +105,12 @@ class Reader {
   }
 
   #relations(node: DiagramNode): readonly string[] {
-    const {triggeredBy, reads, gives, from, goesTo, followedBy} = this.#words
+    const {triggeredBy, reads, gives, from, goesTo, followedBy, backTo} = this.#words
     const said = (phrase: (all: string) => string, all: readonly string[]) =>
       all.length === 0 ? [] : [phrase(all.join(", "))]
-    const next = this.#from(node.id)
-      .filter(e => e.role === "then")
-      .map(e => this.#label(e.to))
+    const led = (role: "then" | "again") => this.#from(node.id).filter(e => e.role === role)
+    const ends = [...led("then"), ...led("again")].flatMap(e => e.label ?? [])
+    const names = (edges: readonly DiagramEdge[]) => edges.map(e => this.#label(e.to))
     if (node.kind === "function") {
       const inputs = (role: "triggers" | "reads") =>
         this.#to(node.id)
@@ -131,9 +132,15 @@ class Reader {
         return e.order === null ? one : this.#words.numbered(e.order, one)
       })
     const takers = this.#from(node.id)
-      .filter(e => e.role !== "then")
+      .filter(e => e.role !== "then" && e.role !== "again")
       .map(e => this.#label(this.#owner(e.to)))
-    return [...said(from, senders), ...said(goesTo, [...new Set(takers)]), ...said(followedBy, next)]
+    return [
+      ...said(from, senders),
+      ...said(goesTo, [...new Set(takers)]),
+      ...said(gives, [...new Set(ends)]),
+      ...said(followedBy, names(led("then"))),
+      ...said(backTo, names(led("again"))),
+    ]
   }
 
   /// A source, or what is joined, of an input.
