@@ -3,6 +3,7 @@
 import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
+import {graph} from "./graph.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -22,6 +23,7 @@ export const en = {
   world,
   classroom,
   diagram,
+  graph,
   roomTests,
   preview,
   recordings,

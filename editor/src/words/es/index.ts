@@ -6,6 +6,7 @@ import {measuresOf} from "../number_formats.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
+import {graph} from "./graph.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -28,6 +29,7 @@ export const spanish: Table = {
     classroom,
     world,
     diagram,
+    graph,
     roomTests,
     preview,
     recordings,

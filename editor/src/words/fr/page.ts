@@ -12,6 +12,7 @@ export const page: Omit<
   | "world"
   | "recordings"
   | "diagram"
+  | "graph"
   | "roomTests"
   | "preview"
   | "runs"
