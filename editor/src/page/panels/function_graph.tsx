@@ -22,7 +22,7 @@ import {PlotPicture, plotOf, rangeOf} from "./plot.tsx"
 const rate = 5
 /// Rows of the table of one case; the first and the last point are among them.
 const mostRows = 12
-const height = 190
+const height = 160
 
 /// Buttons for the functions that have a graph, and the graph of the chosen one.
 export function FunctionGraphs(): VNode | null {
