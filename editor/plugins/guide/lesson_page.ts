@@ -15,7 +15,9 @@ export function lessonPage(lesson: LessonSource, term: Term, language: string): 
   const words: TeachingWordsOfLesson = lessons[lesson.name as keyof typeof lessons]
   const panel = panelWords(language)
   const texts = lesson.texts(language)
+  const strand = term.strands.find(({course}) => course === lesson.course)
   const week = term.weeks.findIndex(({lessons: names}) => names.includes(lesson.name)) + 1
+  const minutes = minutesOf(lesson, term)
   const checksOf = (step: LessonStep) => step.checks.map(id => texts.checks[id] ?? id)
   const tried = lesson.steps.filter(step => step.checks.length > 0)
 
@@ -44,7 +46,7 @@ export function lessonPage(lesson: LessonSource, term: Term, language: string): 
 
   return [
     `# ${lesson.number}. ${texts.title}`,
-    `*${labels.about(minutesOf(lesson, term), week)} · ${panel.courses[lesson.course] ?? lesson.course}*`,
+    `*${strand === undefined ? labels.about(minutes, week) : labels.optional(minutes, strand.from)} · ${panel.courses[lesson.course] ?? lesson.course}*`,
     `## ${labels.aims}`,
     `- ${texts.idea}\n- ${texts.learned}`,
     `## ${labels.steps}`,

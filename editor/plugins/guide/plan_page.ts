@@ -23,6 +23,12 @@ export function planPage(lessons: readonly LessonSource[], term: Term, language:
     `# ${plan.title}`,
     plan.lead,
     [`| ${plan.columns.join(" | ")} |`, `|${plan.columns.map(() => "---|").join("")}`, ...rows].join("\n"),
+    ...term.strands.map(({course, from, page}) => {
+      const links = lessons
+        .filter(lesson => lesson.course === course)
+        .map(lesson => `[](teach-${lesson.name}.md) (${minutesOf(lesson, term)} min)`)
+      return `${plan.strand(`../${page}`, from)} ${links.join(", ")}.`
+    }),
     plan.after(`../${term.projects}`),
   ].join("\n\n")
 }

@@ -11,6 +11,8 @@ export interface Term {
     readonly page?: string
     readonly test?: number
   }[]
+  /// Courses beside the weeks: from which week they can be taught, and their page.
+  readonly strands: readonly {readonly course: string; readonly from: number; readonly page: string}[]
   /// The page with projects.
   readonly projects: string
   /// How long a step of a lesson takes, min, by its kind.

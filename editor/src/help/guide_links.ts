@@ -8,6 +8,7 @@ const coursePages: ReadonlyMap<string, string> = new Map([
   ["react", pageOf("tutorial-events")],
   ["remember", pageOf("tutorial-memory")],
   ["tasks", pageOf("how-to-tasks")],
+  ["algebra", pageOf("how-to-page", "graph")],
 ])
 
 /// By kind of the problem (protocol, section 1).

@@ -40,6 +40,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "safety-switched":
     case "values-shown":
     case "diagram-pointed":
+    case "function-graphed":
       return reduceRunEvent(state, event)
     case "run-shown":
     case "run-compared":

@@ -91,6 +91,10 @@ export function reduceRunEvent(state: PageState, event: RunEvent): Transition {
         ...state,
         diagram: {...state.diagram, isPointedAt: event.isPointedAt},
       })
+    case "function-graphed": {
+      const tab = event.function === null ? state.tab : "charts"
+      return observing(state, {...state, tab, graphed: event.function})
+    }
     default:
       return unreachable(event)
   }
@@ -147,7 +151,8 @@ function start(state: PageState, seed: number | null, from?: RunOrigin): Transit
 export const observeMessage = (state: PageState) =>
   ({op: "observe", on: true, ...(seesFirings(state) ? {frames: true} : {})}) as const
 
-const seesFirings = ({valuesShown, diagram}: PageState) => valuesShown || diagram.isPointedAt
+const seesFirings = ({valuesShown, diagram, graphed}: PageState) =>
+  valuesShown || diagram.isPointedAt || graphed !== null
 
 /// The log of firings begins anew when the service begins to send them, and is empty when it does not.
 function observing(before: PageState, after: PageState): Transition {

@@ -79,6 +79,8 @@ export type RunEvent =
   | {readonly kind: "values-shown"; readonly shown: boolean}
   /// The pointer or the keyboard came to the diagram, or left it.
   | {readonly kind: "diagram-pointed"; readonly isPointedAt: boolean}
+  /// The graph of a function is opened in the charts; `null` closes it.
+  | {readonly kind: "function-graphed"; readonly function: string | null}
 
 /// The recording of this page's run `of` is looked at; `null` for that of the file that the page has sent.
 export interface RecordingEvent {

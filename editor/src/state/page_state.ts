@@ -277,6 +277,8 @@ export interface PageState {
   readonly tab: Tab
   /// The keys of the quantities that have a curve.
   readonly charts: readonly string[]
+  /// The function whose graph the charts show; `null` for none.
+  readonly graphed: string | null
   /// Seconds that a curve shows, or all of the run.
   readonly chartSpan: ChartSpan
   readonly theme: Theme
@@ -359,6 +361,7 @@ export const initialState: PageState = {
   size: "wide",
   tab: "console",
   charts: ["speed", "bumperCenter"],
+  graphed: null,
   chartSpan: 20,
   theme: "auto",
   muted: false,

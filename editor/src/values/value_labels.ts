@@ -145,7 +145,8 @@ function outputText({to, value, type}: Given, words: LabelWords): string {
   }
 }
 
-function functionNames(parts: readonly ProgramPart[]): readonly string[] {
+/// The functions that a program runs, also those of its tasks.
+export function functionNames(parts: readonly ProgramPart[]): readonly string[] {
   return parts.flatMap((part): readonly string[] => {
     switch (part.kind) {
       case "function":

@@ -46,6 +46,13 @@ test("every link inside the guide leads to a page and to an anchor of it", () =>
   expect(dead).toEqual([])
 })
 
+test("every link has words", () => {
+  const silent = [...pages]
+    .filter(([, html]) => /<a [^>]*href="[^"]*"[^>]*><\/a>/.test(html))
+    .map(([name]) => name)
+  expect(silent).toEqual([])
+})
+
 test("every page of Rosy that leads into the guide leads to a page and to an anchor of it", () => {
   const dead = allGuideLinks.filter(address => {
     const [page = "", anchor = ""] = address.replace(/^guide\//, "").split("#")

@@ -8,7 +8,10 @@ import {beforeAll, expect, test} from "vitest"
 import {toolboxOf, wordsOf} from "../../src/lesson_files/toolbox_words.ts"
 
 interface LessonFile {
+  readonly course: string
   readonly number: number
+  /// The number of the lesson that a strand follows.
+  readonly after?: number
   readonly blocks: readonly string[]
   readonly steps: readonly {readonly id: string; readonly program?: string}[]
 }
@@ -43,10 +46,20 @@ const vocabulary = new Set(
   ),
 )
 
+/// The words that a lesson and those before it bring; those before a strand are not all.
+const broughtUntil = ({course, number, after}: LessonFile): ReadonlySet<string> =>
+  new Set(
+    lessons
+      .map(({file}) => file)
+      .filter(
+        one => one.number <= number && (after === undefined || one.course === course || one.number <= after),
+      )
+      .flatMap(({blocks}) => blocks),
+  )
+
 test("every block of a reference solution is in the toolbox of its lesson, or in its program", () => {
-  const brought = new Set<string>()
   const missing = lessons.flatMap(({name, file}) => {
-    for (const word of file.blocks) brought.add(word)
+    const brought = broughtUntil(file)
     const there = new Set(said(read(`${name}/start.hs`)))
     return file.steps.flatMap(({id}) => {
       const path = `${name}/solutions/${id}/reference.hs`
@@ -61,9 +74,8 @@ test("every block of a reference solution is in the toolbox of its lesson, or in
 })
 
 test("every word that a lesson brings is on a block that its toolbox shows", () => {
-  const brought = new Set<string>()
   const hidden = lessons.flatMap(({name, file}) => {
-    for (const word of file.blocks) brought.add(word)
+    const brought = broughtUntil(file)
     const shown = new Set(
       (["tasks", "reactions", "haskell"] as const).flatMap(level =>
         toolboxOf(toolbox(level), [...brought]).flatMap(category =>

@@ -23,6 +23,16 @@ describe("the connection", () => {
     expect(play(state, {kind: "values-shown", shown: false}).sent).toEqual([{op: "observe", on: true}])
   })
 
+  it("asks for the firings while the graph of a function is open", () => {
+    const {state, sent} = play(open, {kind: "function-graphed", function: "go"})
+    expect([state.graphed, state.tab, sent]).toEqual([
+      "go",
+      "charts",
+      [{op: "observe", on: true, frames: true}],
+    ])
+    expect(play(state, {kind: "function-graphed", function: null}).sent).toEqual([{op: "observe", on: true}])
+  })
+
   it("that comes back chooses the project's room and asks the compiler again", () => {
     const {ops} = play({...open, worldName: "corridor"}, {kind: "link-lost"}, hello)
     expect(ops).toEqual(["world", "observe", "check"])

@@ -92,9 +92,26 @@ def lesson_json(folder: Path, name: str) -> dict[str, Any] | None:
         "course": lesson.file.course,
         "number": lesson.file.number,
         "room": {**lesson.world, "name": f"{_ROOM_PREFIX}{name}"},
-        "toolbox": sorted({word for earlier in found[: place + 1] for word in earlier.file.blocks}),
+        "toolbox": sorted({word for earlier in _until(lesson, found) for word in earlier.file.blocks}),
         "start": lesson.start,
         "steps": steps,
         "texts": {language: msgspec.to_builtins(texts) for language, texts in lesson.texts.items()},
-        "next": found[place + 1].name if place + 1 < len(found) else None,
+        "next": _next(lesson, found[place + 1 :]),
     }
+
+
+def _until(lesson: Lesson, found: list[Lesson]) -> list[Lesson]:
+    """The lesson and those that come before it: of a strand, also the lessons that it follows."""
+    file = lesson.file
+    return [
+        one
+        for one in found
+        if one.file.number <= file.number
+        and (file.after is None or one.file.course == file.course or one.file.number <= file.after)
+    ]
+
+
+def _next(lesson: Lesson, later: list[Lesson]) -> str | None:
+    """The name of the lesson to go on with; a strand is chosen, and no course leads into it."""
+    follows = [one for one in later if one.file.after is None or one.file.course == lesson.file.course]
+    return follows[0].name if follows else None

@@ -69,6 +69,9 @@ class LessonFile(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_onl
     lesson: Annotated[int, Meta(ge=1, description="Version of the format.")]
     course: Identifier
     number: Annotated[int, Meta(ge=1, le=999, description="Place in the list of all lessons.")]
+    # Of a strand, a course beside the others: the number of the lesson that it may follow. Its toolbox holds the blocks
+    # of lessons until that one and of earlier ones of the strand.
+    after: Annotated[int, Meta(ge=1, le=999)] | None = None
     # A world of the gallery by name, or a world.
     room: str | dict[str, Any]
     # What blocks say that this lesson brings, as Haskell writes it; the toolbox holds those of earlier lessons as well.

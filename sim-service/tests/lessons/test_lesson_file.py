@@ -162,3 +162,16 @@ def test_a_lesson_for_a_page_is_a_lesson_document() -> None:
     for lesson in lessons(FOLDER):
         document = msgspec.convert(lesson_json(FOLDER, lesson.name), LessonDocument)
         assert document.name == lesson.name
+
+
+def test_a_strand_has_the_blocks_of_the_lessons_that_it_follows_and_no_course_leads_into_it(tmp_path: Path) -> None:
+    written(tmp_path / "one")
+    written(tmp_path / "two", lambda at: at.update(number=2, blocks=["Led1"]))
+    written(tmp_path / "three", lambda at: at.update(number=3, blocks=["+"], course="strand", after=1))
+    written(tmp_path / "four", lambda at: at.update(number=4, blocks=["*"], course="strand", after=1))
+    two, three, four = (lesson_json(tmp_path, name) for name in ("two", "three", "four"))
+    assert two is not None
+    assert three is not None
+    assert four is not None
+    assert [lesson["next"] for lesson in (two, three, four)] == [None, "four", None]
+    assert four["toolbox"] == ["*", "+", "Velocity"]

@@ -81,6 +81,7 @@ export function WhyPanel(): VNode | null {
       </div>
       {question.kind === "not" && question.command === "" && <NotSent question={question} />}
       <NoneSent question={question} answer={answer} />
+      <GraphLink question={question} />
       <AboutRobot question={question} />
     </section>
   )
@@ -123,6 +124,24 @@ function NoneSent({question, answer}: {question: Question; answer: Explanation |
   return (
     <p>
       <QuestionLink question={other}>{words.why.noCommand(other.command)}</QuestionLink>
+    </p>
+  )
+}
+
+/// Opens the graph of the function that the question is about.
+function GraphLink({question}: {question: Question}): VNode | null {
+  const {store} = useController()
+  if (question.kind !== "run" && question.kind !== "firing") return null
+  const name = question.function
+  return (
+    <p>
+      <button
+        type="button"
+        class="link"
+        onClick={() => store.dispatch({kind: "function-graphed", function: name})}
+      >
+        {words.graph.of(name)}
+      </button>
     </p>
   )
 }

@@ -1,4 +1,4 @@
-/// Charts panel: one strip chart per quantity with a shared cursor, drawn on canvases.
+/// Charts panel: graphs of functions, speed and position, and one strip chart per quantity with a shared cursor.
 
 import type {VNode} from "preact"
 import {useLayoutEffect, useMemo, useRef, useState} from "preact/hooks"
@@ -11,12 +11,19 @@ import {quantityName} from "../../ui/descriptions.ts"
 import {type Quantity, quantitiesOf} from "../../values/quantities.ts"
 import {measures, words} from "../../words/index.ts"
 import {type Curve, openCurves, unitedWindow, windowOf, withSameScale} from "./chart_data.ts"
+import {FunctionGraphs} from "./function_graph.tsx"
+import {MotionChart, motionKey} from "./motion_chart.tsx"
 
 const spans: readonly ChartSpan[] = [20, 60, "all"]
 
 export function ChartsPanel(): VNode {
   const empty = usePageState(s => s.room.recording.length === 0)
-  return <div class="charts">{empty ? <p class="quiet">{words.noRun}</p> : <Charts />}</div>
+  return (
+    <div class="charts">
+      <FunctionGraphs />
+      {empty ? <p class="quiet">{words.noRun}</p> : <Charts />}
+    </div>
+  )
 }
 
 function Charts(): VNode {
@@ -64,6 +71,7 @@ function Charts(): VNode {
           {words.runs.lines.compared}
         </p>
       )}
+      {chosen.includes(motionKey) && <MotionChart />}
       {there
         .filter(q => chosen.includes(q.key))
         .map(q => {
@@ -85,6 +93,14 @@ function Charts(): VNode {
           )
         })}
       <fieldset class="chips" aria-label={words.chartedValues}>
+        <button
+          type="button"
+          aria-pressed={chosen.includes(motionKey)}
+          style={{"--curve": "var(--number)"}}
+          onClick={() => toggle(motionKey)}
+        >
+          {words.graph.motion}
+        </button>
         {there.map(q => (
           <button
             type="button"

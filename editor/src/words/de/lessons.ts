@@ -26,6 +26,7 @@ export const lessons: Words["lessons"] = {
     react: "Reagieren: Es passiert etwas",
     remember: "Merken: Was war",
     tasks: "Aufgaben: Eins nach dem anderen",
+    algebra: "Algebra: Eine Funktion hat einen Graphen",
   },
   otherLessons: "Weitere Lektionen",
   finished: "geschafft",

@@ -5,6 +5,7 @@ import type {TeachingWords} from "../en/teaching.ts"
 export const teaching: TeachingWords = {
   labels: {
     about: (minutes, week) => `Etwa ${minutes} Minuten · Woche ${week}`,
+    optional: (minutes, week) => `Etwa ${minutes} Minuten · wahlweise, ab Woche ${week}`,
     aims: "Das wissen die Kinder danach",
     steps: "Was gefragt ist",
     step: "Schritt",
@@ -37,6 +38,8 @@ export const teaching: TeachingWords = {
       "Zwei Kinder, die gleichzeitig etwas tun.",
       "Test 2, der Wettbewerb, und die Projekte werden gezeigt.",
     ],
+    strand: (page, week) =>
+      `**Mit Mathematik:** Ab Woche ${week} kann die Reihe [Algebra](${page}) dazukommen, auch im Mathematikunterricht:`,
     after: projects =>
       `**Wenn die Zeit knapp ist:** Lass in den Wochen 6, 8, 9 und 11 die dritte Lektion weg. **Wenn eine Klasse schnell ist:** Beginne mit den [Projekten](${projects}) in Woche 5. Eine Lektion, die nicht fertig wurde, öffnet sich beim nächsten Mal am selben Schritt.`,
   },
@@ -283,6 +286,60 @@ export const teaching: TeachingWords = {
       often:
         "Sicherheit und Neugier senden zugleich an die Räder. Was wichtiger ist, muss das andere zurückhalten.",
       ask: ["Was muss immer gewinnen?", "Wie lange?", "Probiere einen anderen Raum: Was war Glück?"],
+    },
+    "a-machine-for-numbers": {
+      often:
+        "Der Buchstabe wird für eine einzige Zahl gehalten. `x` steht für jeden Ort auf dem Weg, einen nach dem anderen.",
+      ask: [
+        "Welche Ausgabe gehört zur Eingabe 2?",
+        "Welche Eingabe gibt 0?",
+        "Können zwei Eingaben dieselbe Ausgabe haben? Kann eine zwei haben?",
+      ],
+    },
+    "where-the-graph-meets-zero": {
+      often:
+        "Der Graph wird für den Weg des Roboters gehalten. Nach rechts geht der Ort, nach oben das Tempo; der Weg ist im Raum.",
+      ask: [
+        "Welche Gleichung hat der Roboter gelöst?",
+        "Was tut ein steilerer Graph?",
+        "Trag den Roboter über die Nullstelle hinaus: Wohin fährt er?",
+      ],
+    },
+    "a-graph-in-pieces": {
+      often:
+        "Die Bedingungen werden gelesen, als stünde jede allein. `x < 2` gilt auch bei 0,5; es zählt dort nicht, weil ein früherer Fall passt.",
+      ask: [
+        "Für welche `x` gilt welche Regel?",
+        "Wo treffen sich zwei Stücke, und wo ist ein Sprung?",
+        "Gibt es eine Eingabe ohne Ausgabe?",
+      ],
+    },
+    "machines-in-a-row": {
+      often:
+        "`speed . distance` wird von links gelesen. Die rechte Maschine arbeitet zuerst: `speed (distance here)`, wie in f(g(x)).",
+      ask: [
+        "Was geht von einer Maschine zur anderen?",
+        "Kann man sie vertauschen? Was sagen ihre Typen?",
+        "Welche Maschine ändert sich, wenn der Ring woanders liegt?",
+      ],
+    },
+    "a-family-of-functions": {
+      often:
+        "`a` und `x` sind beide Buchstaben und werden vermischt. `x` ändert sich beim Fahren; `a` wird einmal gewählt und bleibt.",
+      ask: [
+        "Was haben alle in der Familie gemeinsam?",
+        "Was geschieht bei einem negativen `a`?",
+        "Welcher Buchstabe ist die Eingabe, welche sind Parameter?",
+      ],
+    },
+    "rate-of-change": {
+      often:
+        "Ort und Tempo werden von derselben Kurve abgelesen. Ein waagerechter Ort heißt Tempo 0; ein waagerechtes Tempo heißt, dass der Ort gleichmäßig steigt.",
+      ask: [
+        "Wie sieht man am Ort, wann er am schnellsten war?",
+        "Was heißt es, wenn der Ort fällt?",
+        "Was sagt die Fläche unter dem Tempo?",
+      ],
     },
   },
 }

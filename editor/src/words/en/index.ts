@@ -5,6 +5,7 @@ import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
+import {graph} from "./graph.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -26,6 +27,7 @@ export const en = {
   classroom,
   diagram,
   film,
+  graph,
   roomTests,
   preview,
   recordings,

@@ -23,6 +23,7 @@ export const lessons = {
     react: "React: things happen",
     remember: "Remember: what was",
     tasks: "Tasks: one thing after another",
+    algebra: "Algebra: a function has a graph",
   },
   otherLessons: "More lessons",
   finished: "finished",

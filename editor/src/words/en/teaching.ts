@@ -3,6 +3,7 @@
 export const teaching = {
   labels: {
     about: (minutes: number, week: number) => `About ${minutes} minutes · week ${week}`,
+    optional: (minutes: number, week: number) => `About ${minutes} minutes · as an option, from week ${week}`,
     aims: "Pupils know afterwards",
     steps: "What is asked",
     step: "step",
@@ -34,6 +35,8 @@ export const teaching = {
       "Two pupils who do things at the same time.",
       "Test 2, the competition, and the projects are shown.",
     ],
+    strand: (page: string, week: number) =>
+      `**With mathematics:** from week ${week} the strand [Algebra](${page}) can be added, or be taught in mathematics lessons:`,
     after: (projects: string) =>
       `**If time is short:** leave out the third lesson of weeks 6, 8, 9 and 11. **If a class is fast:** begin the [projects](${projects}) in week 5. A lesson that was not finished is opened at the same step next time.`,
   },
@@ -263,6 +266,59 @@ export const teaching = {
       often:
         "Safety and curiosity send to the wheels at the same time. What matters more must hold the other back.",
       ask: ["What must win always?", "For how long?", "Try it in another room: what was luck?"],
+    },
+    "a-machine-for-numbers": {
+      often: "The letter is taken for one number. `x` stands for each place on the way, one after another.",
+      ask: [
+        "Which output belongs to the input 2?",
+        "Which input gives 0?",
+        "Can two inputs have the same output? Can one input have two?",
+      ],
+    },
+    "where-the-graph-meets-zero": {
+      often:
+        "The graph is taken for the robot’s path. To the right is the place, up is the speed; the path is in the room.",
+      ask: [
+        "Which equation did the robot solve?",
+        "What does a steeper graph do?",
+        "Carry the robot beyond the zero: where does it drive?",
+      ],
+    },
+    "a-graph-in-pieces": {
+      often:
+        "The conditions are read as if each stood alone. `x < 2` holds at 0.5 as well; it does not count there, because an earlier case fits.",
+      ask: [
+        "For which `x` does each rule hold?",
+        "Where do two pieces meet, and where is a leap?",
+        "Is there an input without an output?",
+      ],
+    },
+    "machines-in-a-row": {
+      often:
+        "`speed . distance` is read from the left. The right machine works first: `speed (distance here)`, as in f(g(x)).",
+      ask: [
+        "What travels between the two machines?",
+        "Can they be exchanged? What do their types say?",
+        "Which machine must change when the ring moves?",
+      ],
+    },
+    "a-family-of-functions": {
+      often:
+        "`a` and `x` are both letters and are mixed up. `x` changes while the robot drives; `a` is chosen once and stays.",
+      ask: [
+        "What have all members of the family in common?",
+        "What happens with a negative `a`?",
+        "Which of the letters is the input, and which are parameters?",
+      ],
+    },
+    "rate-of-change": {
+      often:
+        "Position and speed are read off the same curve. A level position means speed 0; a level speed means that the position rises evenly.",
+      ask: [
+        "How do you see from the position when it was fastest?",
+        "What is a position that falls?",
+        "What does the area below the speed say?",
+      ],
     },
   },
 }

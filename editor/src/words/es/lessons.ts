@@ -26,6 +26,7 @@ export const lessons: Words["lessons"] = {
     react: "Reaccionar: pasan cosas",
     remember: "Recordar: lo que pasó antes",
     tasks: "Tareas: una cosa después de otra",
+    algebra: "Álgebra: una función tiene una gráfica",
   },
   otherLessons: "Más lecciones",
   finished: "terminada",

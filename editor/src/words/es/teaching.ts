@@ -5,6 +5,7 @@ import type {TeachingWords} from "../en/teaching.ts"
 export const teaching: TeachingWords = {
   labels: {
     about: (minutes, week) => `Unos ${minutes} minutos · semana ${week}`,
+    optional: (minutes, week) => `Unos ${minutes} minutos · opcional, desde la semana ${week}`,
     aims: "Lo que los alumnos saben después",
     steps: "Lo que se pide",
     step: "paso",
@@ -37,6 +38,8 @@ export const teaching: TeachingWords = {
       "Dos alumnos que hacen cosas al mismo tiempo.",
       "Prueba 2, el concurso, y se enseñan los proyectos.",
     ],
+    strand: (page, week) =>
+      `**Con matemáticas:** desde la semana ${week} se puede añadir la serie [Álgebra](${page}), también en clase de matemáticas:`,
     after: projects =>
       `**Si falta tiempo:** deja fuera la tercera lección de las semanas 6, 8, 9 y 11. **Si la clase va rápido:** empieza los [proyectos](${projects}) en la semana 5. Una lección sin terminar se abre la próxima vez en el mismo paso.`,
   },
@@ -264,6 +267,59 @@ export const teaching: TeachingWords = {
       often:
         "La seguridad y la curiosidad envían a las ruedas a la vez. Lo que más importa debe frenar a lo otro.",
       ask: ["¿Qué debe ganar siempre?", "¿Durante cuánto tiempo?", "Prueba otra sala: ¿qué fue suerte?"],
+    },
+    "a-machine-for-numbers": {
+      often: "Toman la letra por un solo número. `x` es cada lugar del camino, uno tras otro.",
+      ask: [
+        "¿Qué salida corresponde a la entrada 2?",
+        "¿Qué entrada da 0?",
+        "¿Pueden dos entradas tener la misma salida? ¿Puede una tener dos?",
+      ],
+    },
+    "where-the-graph-meets-zero": {
+      often:
+        "Toman la gráfica por el camino del robot. A la derecha está el lugar, arriba la velocidad; el camino está en la sala.",
+      ask: [
+        "¿Qué ecuación ha resuelto el robot?",
+        "¿Qué hace una gráfica más empinada?",
+        "Lleva el robot más allá del cero: ¿adónde va?",
+      ],
+    },
+    "a-graph-in-pieces": {
+      often:
+        "Leen las condiciones como si cada una estuviera sola. `x < 2` también vale en 0,5; allí no cuenta, porque encaja un caso anterior.",
+      ask: [
+        "¿Para qué `x` vale cada regla?",
+        "¿Dónde se unen dos trozos y dónde hay un salto?",
+        "¿Hay una entrada sin salida?",
+      ],
+    },
+    "machines-in-a-row": {
+      often:
+        "Leen `speed . distance` desde la izquierda. La máquina de la derecha trabaja primero: `speed (distance here)`, como en f(g(x)).",
+      ask: [
+        "¿Qué pasa de una máquina a la otra?",
+        "¿Se pueden cambiar de orden? ¿Qué dicen sus tipos?",
+        "¿Qué máquina cambia si se mueve el anillo?",
+      ],
+    },
+    "a-family-of-functions": {
+      often:
+        "`a` y `x` son letras y se confunden. `x` cambia mientras el robot se mueve; `a` se elige una vez y se queda.",
+      ask: [
+        "¿Qué tienen en común todas las de la familia?",
+        "¿Qué pasa con `a` negativo?",
+        "¿Qué letra es la entrada y cuáles son parámetros?",
+      ],
+    },
+    "rate-of-change": {
+      often:
+        "Leen posición y velocidad en la misma curva. Una posición horizontal es velocidad 0; una velocidad horizontal, una posición que sube por igual.",
+      ask: [
+        "¿Cómo se ve en la posición cuándo iba más rápido?",
+        "¿Qué significa una posición que baja?",
+        "¿Qué dice el área bajo la velocidad?",
+      ],
     },
   },
 }

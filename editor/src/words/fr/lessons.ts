@@ -30,6 +30,7 @@ export const lessons: Words["lessons"] = {
     react: "Réagir : il se passe des choses",
     remember: "Se souvenir : ce qui était avant",
     tasks: "Tâches : une chose après l'autre",
+    algebra: "Algèbre : une fonction a un graphe",
   },
   otherLessons: "Autres leçons",
   finished: "terminée",

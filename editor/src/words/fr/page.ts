@@ -14,6 +14,7 @@ export const page: Omit<
   | "recordings"
   | "diagram"
   | "film"
+  | "graph"
   | "roomTests"
   | "preview"
   | "runs"

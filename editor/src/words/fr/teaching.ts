@@ -5,6 +5,7 @@ import type {TeachingWords} from "../en/teaching.ts"
 export const teaching: TeachingWords = {
   labels: {
     about: (minutes, week) => `Environ ${minutes} minutes · semaine ${week}`,
+    optional: (minutes, week) => `Environ ${minutes} minutes · au choix, dès la semaine ${week}`,
     aims: "Ce que les élèves savent ensuite",
     steps: "Ce qui est demandé",
     step: "étape",
@@ -37,6 +38,8 @@ export const teaching: TeachingWords = {
       "Deux élèves qui font des choses en même temps.",
       "Test 2, le concours, et les projets sont montrés.",
     ],
+    strand: (page, week) =>
+      `**Avec les mathématiques :** dès la semaine ${week}, on peut ajouter la série [Algèbre](${page}), aussi en cours de mathématiques :`,
     after: projects =>
       `**Si le temps manque :** laisser la troisième leçon des semaines 6, 8, 9 et 11. **Si une classe est rapide :** commencer les [projets](${projects}) en semaine 5. Une leçon qui n’est pas finie s’ouvre la fois suivante à la même étape.`,
   },
@@ -286,6 +289,60 @@ export const teaching: TeachingWords = {
         "Qu’est-ce qui doit toujours gagner ?",
         "Pendant combien de temps ?",
         "Essaie une autre salle : qu’est-ce qui était de la chance ?",
+      ],
+    },
+    "a-machine-for-numbers": {
+      often:
+        "La lettre est prise pour un seul nombre. `x` est chaque position sur le chemin, l’une après l’autre.",
+      ask: [
+        "Quelle sortie pour l’entrée 2 ?",
+        "Quelle entrée donne 0 ?",
+        "Deux entrées peuvent-elles avoir la même sortie ? Une entrée peut-elle en avoir deux ?",
+      ],
+    },
+    "where-the-graph-meets-zero": {
+      often:
+        "Le graphe est pris pour le chemin du robot. À droite la position, en haut la vitesse ; le chemin est dans la salle.",
+      ask: [
+        "Quelle équation le robot a-t-il résolue ?",
+        "Que fait un graphe plus raide ?",
+        "Portez le robot au-delà du zéro : où va-t-il ?",
+      ],
+    },
+    "a-graph-in-pieces": {
+      often:
+        "Les conditions sont lues comme si chacune était seule. `x < 2` vaut aussi à 0,5 ; elle n’y compte pas, car un cas précédent convient.",
+      ask: [
+        "Pour quels `x` vaut chaque règle ?",
+        "Où deux morceaux se rejoignent-ils, et où y a-t-il un saut ?",
+        "Y a-t-il une entrée sans sortie ?",
+      ],
+    },
+    "machines-in-a-row": {
+      often:
+        "`speed . distance` est lu de la gauche. La machine de droite travaille d’abord : `speed (distance here)`, comme f(g(x)).",
+      ask: [
+        "Qu’est-ce qui passe entre les deux machines ?",
+        "Peut-on les échanger ? Que disent leurs types ?",
+        "Quelle machine change quand l’anneau se déplace ?",
+      ],
+    },
+    "a-family-of-functions": {
+      often:
+        "`a` et `x` sont deux lettres et sont confondues. `x` change pendant le trajet ; `a` est choisi une fois et reste.",
+      ask: [
+        "Qu’ont en commun tous les membres de la famille ?",
+        "Que se passe-t-il si `a` est négatif ?",
+        "Quelle lettre est l’entrée, lesquelles sont des paramètres ?",
+      ],
+    },
+    "rate-of-change": {
+      often:
+        "Position et vitesse sont lues sur la même courbe. Une position horizontale, c’est la vitesse 0 ; une vitesse horizontale, une position qui monte régulièrement.",
+      ask: [
+        "Comment voit-on sur la position quand il était le plus rapide ?",
+        "Que signifie une position qui descend ?",
+        "Que dit l’aire sous la vitesse ?",
       ],
     },
   },

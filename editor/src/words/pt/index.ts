@@ -8,6 +8,7 @@ import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
+import {graph} from "./graph.ts"
 import {keys} from "./keys.ts"
 import {lessonEditor} from "./lesson_editor.ts"
 import {lessons} from "./lessons.ts"
@@ -32,6 +33,7 @@ export const portuguese: Table = {
     world,
     diagram,
     film,
+    graph,
     roomTests,
     preview,
     recordings,

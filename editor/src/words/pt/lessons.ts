@@ -27,6 +27,7 @@ export const lessons: Words["lessons"] = {
     react: "Reagir: coisas acontecem",
     remember: "Lembrar: o que já foi",
     tasks: "Tarefas: uma coisa depois da outra",
+    algebra: "Álgebra: uma função tem um gráfico",
   },
   otherLessons: "Mais lições",
   finished: "terminada",

@@ -14,6 +14,7 @@ export const page: Omit<
   | "recordings"
   | "diagram"
   | "film"
+  | "graph"
   | "roomTests"
   | "preview"
   | "runs"
@@ -33,7 +34,7 @@ export const page: Omit<
   reset: "Reiniciar",
   resetHint: "Pôr o robô de volta no começo",
   sameAgain: "A mesma execução de novo",
-  sameAgainHint: "A mesma execução de novo: com a mesma sorte nos dados e nas rodas que escorregam",
+  sameAgainHint: "A mesma execução de novo: com o mesmo acaso nos dados e nas rodas que escorregam",
   pause: "Pausar",
   resume: "Continuar",
   continueHere: "Continuar daqui",

@@ -5,6 +5,7 @@ import type {TeachingWords} from "../en/teaching.ts"
 export const teaching: TeachingWords = {
   labels: {
     about: (minutes, week) => `Uns ${minutes} minutos · semana ${week}`,
+    optional: (minutes, week) => `Uns ${minutes} minutos · opcional, a partir da semana ${week}`,
     aims: "O que os alunos sabem depois",
     steps: "O que se pede",
     step: "passo",
@@ -36,6 +37,8 @@ export const teaching: TeachingWords = {
       "Dois alunos que fazem coisas ao mesmo tempo.",
       "Prova 2, o concurso, e os projetos são mostrados.",
     ],
+    strand: (page, week) =>
+      `**Com matemática:** a partir da semana ${week} pode entrar a série [Álgebra](${page}), também na aula de matemática:`,
     after: projects =>
       `**Se o tempo for curto:** deixe de fora a terceira lição das semanas 6, 8, 9 e 11. **Se a turma for rápida:** comece os [projetos](${projects}) na semana 5. Uma lição que não terminou se abre da próxima vez no mesmo passo.`,
   },
@@ -259,6 +262,59 @@ export const teaching: TeachingWords = {
       often:
         "A segurança e a curiosidade enviam às rodas ao mesmo tempo. O que importa mais deve segurar o outro.",
       ask: ["O que deve ganhar sempre?", "Por quanto tempo?", "Tente outra sala: o que foi sorte?"],
+    },
+    "a-machine-for-numbers": {
+      often: "A letra é tomada por um só número. `x` é cada lugar do caminho, um depois do outro.",
+      ask: [
+        "Que saída corresponde à entrada 2?",
+        "Que entrada dá 0?",
+        "Duas entradas podem ter a mesma saída? Uma pode ter duas?",
+      ],
+    },
+    "where-the-graph-meets-zero": {
+      often:
+        "O gráfico é tomado pelo caminho do robô. À direita está o lugar, para cima a velocidade; o caminho está na sala.",
+      ask: [
+        "Que equação o robô resolveu?",
+        "O que faz um gráfico mais inclinado?",
+        "Leve o robô além do zero: para onde ele vai?",
+      ],
+    },
+    "a-graph-in-pieces": {
+      often:
+        "As condições são lidas como se cada uma estivesse sozinha. `x < 2` também vale em 0,5; ali não conta, porque serve um caso anterior.",
+      ask: [
+        "Para que `x` vale cada regra?",
+        "Onde duas partes se encontram, e onde há um salto?",
+        "Há uma entrada sem saída?",
+      ],
+    },
+    "machines-in-a-row": {
+      often:
+        "`speed . distance` é lido da esquerda. A máquina da direita trabalha primeiro: `speed (distance here)`, como em f(g(x)).",
+      ask: [
+        "O que passa de uma máquina para a outra?",
+        "Dá para trocar a ordem? O que dizem os tipos?",
+        "Que máquina muda se o círculo muda de lugar?",
+      ],
+    },
+    "a-family-of-functions": {
+      often:
+        "`a` e `x` são letras e se confundem. `x` muda enquanto o robô anda; `a` é escolhido uma vez e fica.",
+      ask: [
+        "O que todas da família têm em comum?",
+        "O que acontece com `a` negativo?",
+        "Que letra é a entrada e quais são parâmetros?",
+      ],
+    },
+    "rate-of-change": {
+      often:
+        "Leem posição e velocidade na mesma curva. Posição horizontal é velocidade 0; velocidade horizontal é posição que sobe por igual.",
+      ask: [
+        "Como se vê na posição quando ele foi mais rápido?",
+        "O que significa uma posição que desce?",
+        "O que diz a área sob a velocidade?",
+      ],
     },
   },
 }

@@ -2,7 +2,7 @@ explore :: Task Centimeters
 explore = task (Velocity 0.2 0) onBump
 
 onBump :: Bumper -> Position -> Done Centimeters
-onBump _ here = Done (metersToCentimeters (magnitudeVec (positionToVec here)))
+onBump _ (Position x _) = Done (metersToCentimeters x)
 
 measure :: Task ()
 measure = do

@@ -1,0 +1,7 @@
+near :: Double
+near = 1.5
+
+speed :: Double -> Double -> Position -> Velocity
+speed a b (Position x _) = Velocity (a * (b - x)) 0
+
+main = simulate (speed 0.7 (near + 1))

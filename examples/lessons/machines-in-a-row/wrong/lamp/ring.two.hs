@@ -1,0 +1,15 @@
+distance :: Position -> Double
+distance (Position x _) = 2 - x
+
+speed :: Double -> Velocity
+speed d = Velocity (0.6 * d) 0
+
+light :: Double -> Led1
+light d
+  | d < 0.5 = Led1 Red
+  | otherwise = Led1 Green
+
+go :: Position -> Velocity
+go = speed . distance
+
+main = simulate (go, light . distance)

@@ -1,0 +1,8 @@
+speed :: Position -> Velocity
+speed (Position x _)
+  | x < 0.5 = Velocity 0.2 0
+  | x < 1 = Velocity 0.34 0
+  | x < 1.98 = Velocity 0.5 0
+  | otherwise = Velocity 0 0
+
+main = simulate speed

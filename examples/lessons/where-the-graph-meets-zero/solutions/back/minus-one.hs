@@ -1,0 +1,4 @@
+speed :: Position -> Velocity
+speed (Position x _) = Velocity (0.5 * (-1 - x)) 0
+
+main = simulate speed

@@ -1,0 +1,4 @@
+speed :: Position -> Velocity
+speed (Position x _) = Velocity (-0.3 - 0.6 * x) 0
+
+main = simulate speed
