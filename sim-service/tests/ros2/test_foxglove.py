@@ -1,6 +1,6 @@
 """
-``./rosy start --ros2`` for the Foxglove app: a client of its WebSocket protocol, by the public specification
-(github.com/foxglove/ws-protocol, docs/spec.md), sees the robot in its room and drives it.
+``./rosy start --ros2`` for the Foxglove app: a client of its WebSocket protocol, by the specification in
+github.com/foxglove/ws-protocol, sees the robot in its room and drives it.
 """
 
 from __future__ import annotations
