@@ -2,7 +2,8 @@
 Generator of the TypeScript tables of the robots: labels of types on blocks, and the values of channels that can be charted.
 
 In: robot descriptions. Out: the text of `codegen/src/robot/description.generated.ts` (colours, menus, units, examples for the toolbox, charts, values
-of channels, and title, body and missing parts of each robot of the simulator) and of `codegen/src/words/<language>/robot.generated.ts` (the labels in each language), by path.
+of channels, and title, body and missing parts of each robot of the simulator) and of `codegen/src/words/<language>/robot.generated.ts`
+(the labels in each language), by path.
 """
 
 from __future__ import annotations
