@@ -9,11 +9,11 @@ upstream's safety controller (safety_controller.hpp: spinOnce): the first that f
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 
 from ...world.events import Reading
 from ...world.motor_controller import clamp
 from ...world.robot import MotorLimits
+from .safety_settings import OFF, SafetySettings
 
 __all__ = ["OFF", "SafetySettings", "Velocity", "VelocityGuard"]
 
@@ -37,22 +37,6 @@ _ROUNDING = 1e-9
 
 # Places of the sensors in readings.
 _LEFT, _CENTER, _RIGHT = 0, 1, 2
-
-
-@dataclass(frozen=True, slots=True)
-class SafetySettings:
-    """
-    Whether the safety rules are on, and the fastest that a program may drive while they are, m/s and rad/s; None for as
-    fast as the robot can.
-    """
-
-    on: bool = False
-    max_speed: float | None = None
-    max_turn: float | None = None
-
-
-OFF = SafetySettings()
-"""The safety rules are off."""
 
 
 class VelocityGuard:
