@@ -79,9 +79,9 @@ withActions carrier variables use plain = do
       refuse frame why = forM_ (readRequest frame) (atomically . failCall calls why)
   use plain {sendCommand = send, takeEvents = nextEvents plain calls, cancelGoals = cancelAll, refuseCall = refuse} `finally` cancelAll
 
--- | The events of the connection with the replies among them.
+-- | The events of the connection with the replies among them; none when all were for the client of actions alone.
 nextEvents :: Connection -> Calls -> STM [RobotEvent]
-nextEvents plain calls = ours `orElse` (takeEvents plain >>= fmap concat . mapM (withReplies calls) >>= \events -> events <$ check (not (null events)))
+nextEvents plain calls = ours `orElse` (takeEvents plain >>= fmap concat . mapM (withReplies calls))
   where
     ours = flushTQueue (made calls) >>= \events -> events <$ check (not (null events))
 

@@ -244,7 +244,7 @@ overPipe row = do
   heard' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False)
-  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (awaitEvents heard') (unreadableSoFar heard') (pure Nothing))
+  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (pure ()) (\_ _ -> pure ()) (awaitEvents heard') (unreadableSoFar heard') (pure Nothing))
   path <- newIORef []
   let observer = (onTerminal (verbatim "a robot")) {onNotice = const (pure ())}
       pace =
