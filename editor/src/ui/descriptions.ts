@@ -104,13 +104,10 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
     case "not-formatted":
       return {message: w.notFormatted.message(notice.left), hint: w.notFormatted.hint}
     case "other-meaning":
-      return {message: w.otherMeaning.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "grouped-otherwise":
-      return {message: w.groupedOtherwise.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "unreadable-edit":
-      return {message: w.unreadableEdit.message(joined(notice.names)), hint: w.otherMeaning.hint}
     case "unfinished-text":
-      return {message: w.unfinishedText.message(joined(notice.names)), hint: w.unfinishedText.hint}
+      return editText(notice)
     case "not-saved":
       return notice.gone.length === 0
         ? w.notSaved
@@ -136,6 +133,27 @@ export function noticeText(notice: Notice): {readonly message: string; readonly 
       return {message: w.uncompared.message(measures.seconds(notice.time, 0)), hint: w.uncompared.hint}
     case "damaged-link":
       return w.damagedLink
+  }
+}
+
+/// Of an edit that was taken back, or that has to wait.
+function editText({
+  kind,
+  names,
+}: Extract<Notice, {kind: "other-meaning" | "grouped-otherwise" | "unreadable-edit" | "unfinished-text"}>): {
+  readonly message: string
+  readonly hint: string
+} {
+  const w = words.notices
+  switch (kind) {
+    case "other-meaning":
+      return {message: w.otherMeaning.message(joined(names)), hint: w.otherMeaning.hint}
+    case "grouped-otherwise":
+      return {message: w.groupedOtherwise.message(joined(names)), hint: w.otherMeaning.hint}
+    case "unreadable-edit":
+      return {message: w.unreadableEdit.message(joined(names)), hint: w.otherMeaning.hint}
+    case "unfinished-text":
+      return {message: w.unfinishedText.message(joined(names)), hint: w.unfinishedText.hint}
   }
 }
 

@@ -125,7 +125,7 @@ instance Rosy.Value a => Command (Outcome a)
 
 -- | The task that pursues a goal: it gives 'Feedback' while it lasts, and ends with the outcome. When it is stopped the goal is cancelled.
 callAction :: forall goal feedback result. (Action goal feedback result, Rosy.Value feedback, Rosy.Value result) => goal -> Task (Outcome result)
-callAction goal = pursue (action :: ActionServer goal feedback result) goal
+callAction = pursue (action :: ActionServer goal feedback result)
 
 pursue :: (Rosy.Value feedback, Rosy.Value result) => ActionServer goal feedback result -> goal -> Task (Outcome result)
 pursue (ActionServer name kind content feedback result) goal =

@@ -52,9 +52,9 @@ import Rosy.Loop.Quiescence (Quiescence (..))
 import Rosy.Problem
 import Rosy.Profile (Leaf (ANumber), Mapping (..), Place (..), Robot (..), Step (Key))
 import Rosy.Provenance
+import Rosy.Request (isReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Robot.Known (simulated)
 import Rosy.Sentence (english, sentenceId)
-import Rosy.Request (isReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Topic (absolute, pattern OpenAction, pattern OpenMessage)
 import Rosy.Wire.NumberTemplate
 

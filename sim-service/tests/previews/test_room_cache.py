@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from rosy_sim.previews.preview import RoomCache
-from rosy_sim.robots.kobuki import KOBUKI
+from rosy_sim.robots import robot_in
 from rosy_sim.world.arena import read_arena
 from rosy_sim.world.events import Move
 from rosy_sim.world.field_readers import Pose
@@ -31,7 +31,8 @@ def path(world: World) -> list[tuple[float, ...]]:
 def test_a_room_that_is_known_is_as_a_new_one(name: str) -> None:
     room = RoomCache()
     told = named_world(name)
-    wanted = [path(World(read_arena(told), KOBUKI, seed)) for seed in (1, 1, 2)]
+    arena = read_arena(told)
+    wanted = [path(World(arena, robot_in(arena), seed)) for seed in (1, 1, 2)]
     assert [path(room.world(dict(told), seed)) for seed in (1, 1, 2)] == wanted
 
 

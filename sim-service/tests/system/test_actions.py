@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import asyncio
 import os
-import shutil
 import subprocess
 import sys
 from collections.abc import Iterator
@@ -106,7 +105,7 @@ ROOM = {
 }
 
 
-@pytest.mark.skipif(shutil.which("rosy-robot") is None, reason="rosy-robot is not built")
+@pytest.mark.skipif(discover().robot_executable is None, reason="rosy-robot is not built")
 def test_over_rosbridge_with_servers_of_roslibpy(tmp_path: Path) -> None:
     program = tmp_path / "Main.hs"
     program.write_text(ROBOT)

@@ -10,6 +10,7 @@ import {readout} from "../../values/readout.ts"
 import {movableObjectsOf} from "../../views/room/poses.ts"
 import {measures, words} from "../../words/index.ts"
 import {wordedText} from "../../words/worker_sentences.ts"
+import {aboutRobot, usualRobot} from "../../worlds/world.ts"
 
 /// Says while the safety rules override the program.
 export function Override(): VNode {
@@ -50,14 +51,16 @@ export function Readout(): VNode {
   )
 }
 
-/// The robot's three buttons and its wheels, for the learner's hands, while a program runs.
+/// The robot's buttons and its wheels, for the learner's hands, while a program runs.
 export function Hands(): VNode | null {
   const {store} = useController()
   const running = usePageState(s => s.run.kind === "running" && s.robots.held === null)
   const lifted = usePageState(s => isOn(s.room.frame, "Wheel", 0) || isOn(s.room.frame, "Wheel", 1))
   // A text, so that the page is drawn again only when a button changes.
+  const robot = usePageState(s => s.room.world?.robot ?? usualRobot)
   const pressed = usePageState(s => [0, 1, 2].filter(n => isOn(s.room.frame, "Button", n)).join())
   if (!running) return null
+  const about = aboutRobot(robot)
   const hand = (h: Hand) => store.dispatch({kind: "hand", hand: h})
   const button = (n: 0 | 1 | 2) => {
     const name = `Button${n}` as const
@@ -82,16 +85,18 @@ export function Hands(): VNode | null {
   }
   return (
     <fieldset class="hands" aria-label={words.hands}>
-      {([0, 1, 2] as const).map(button)}
-      <button
-        type="button"
-        class="hand"
-        title={words.liftHint}
-        aria-pressed={lifted}
-        onClick={() => hand(lifted ? {lower: "both"} : {lift: "both"})}
-      >
-        {words.lift}
-      </button>
+      {([0, 1, 2] as const).slice(0, about.body.buttons.length).map(button)}
+      {!about.lacks.some(name => name === "Wheel") && (
+        <button
+          type="button"
+          class="hand"
+          title={words.liftHint}
+          aria-pressed={lifted}
+          onClick={() => hand(lifted ? {lower: "both"} : {lift: "both"})}
+        >
+          {words.lift}
+        </button>
+      )}
     </fieldset>
   )
 }

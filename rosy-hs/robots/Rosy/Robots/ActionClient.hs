@@ -27,7 +27,7 @@ import Control.Monad (forM_, unless, void, when)
 import Data.Aeson (Value (..), object, (.:), (.:?), (.=))
 import Data.Aeson.Types (Parser, parseMaybe)
 import qualified Data.Map.Strict as Map
-import Data.Maybe (catMaybes, fromMaybe, mapMaybe, maybeToList)
+import Data.Maybe (catMaybes, fromMaybe, isJust, mapMaybe, maybeToList)
 import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as T
@@ -201,7 +201,7 @@ pursue plain calls failed ident action kind content = do
         isAlive <- await (Set.member action <$> readTVar (alive calls))
         if isAlive then give (3 :: Int) else failedIfOpen "No action server available"
   where
-    await condition = maybe False (const True) <$> timeoutInSlices serverTimeout (atomically (((||) <$> condition <*> (not . Map.member ident <$> readTVar (open calls))) >>= check))
+    await condition = isJust <$> timeoutInSlices serverTimeout (atomically (((||) <$> condition <*> (not . Map.member ident <$> readTVar (open calls))) >>= check))
     give left = do
       isOpen <- Map.member ident <$> readTVarIO (open calls)
       when isOpen $ do

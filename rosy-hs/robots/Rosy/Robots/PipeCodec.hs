@@ -35,8 +35,8 @@ import qualified Data.Text as Text
 import Rosy.Channel (Action (..), Message (..))
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
-import Rosy.Sentence (Sentence, verbatim)
 import Rosy.Request (readRequest, pattern ReplyMessage, pattern RequestAction)
+import Rosy.Sentence (Sentence, verbatim)
 import Rosy.Topic (pattern OpenAction, pattern OpenMessage)
 import Rosy.Wire (pipeRoutes)
 

@@ -36,10 +36,10 @@ import qualified Data.Map.Strict as Map
 import Data.Text (Text)
 import Rosy.Channel
 import Rosy.Profile
+import Rosy.Request (pattern RequestAction)
 import Rosy.Robot
 import Rosy.Robots.Connection (Notice (..), stillness, unknownReason)
 import Rosy.Sentence (Sentence, english, sentenceId)
-import Rosy.Request (pattern RequestAction)
 import Rosy.Topic (pattern OpenAction)
 
 -- | The known state of a robot.

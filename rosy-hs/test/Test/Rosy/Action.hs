@@ -1,7 +1,6 @@
 {-# LANGUAGE DeriveGeneric #-}
 {-# LANGUAGE MultiParamTypeClasses #-}
 {-# LANGUAGE OverloadedStrings #-}
-{-# LANGUAGE PatternSynonyms #-}
 
 -- |
 -- Module      : Test.Rosy.Action
@@ -71,7 +70,7 @@ tests =
   testGroup
     "Action"
     [ testCase "the goal is sent at once, and waits for its own result" $
-        told (callAction (Count 3) >>= say . show) [at 0 ticked, at 0.1 (frame "action_result" "rosy-1" (["status" .= (4 :: Int)] ++ values ["sum" .= (1 :: Int)])), at 0.2 (result 4 (values ["sum" .= (6 :: Int)]))]
+        told (callAction (Count 3) >>= say . show) [at 0 ticked, at 0.1 (frame "action_result" "rosy-1" (("status" .= (4 :: Int)) : values ["sum" .= (1 :: Int)])), at 0.2 (result 4 (values ["sum" .= (6 :: Int)]))]
           @?= [(0, goal), (0.2, "Say \"Succeeded (Counted 6)\"")],
       testCase "how it ends is a value" $
         map outcomes [result 5 (values []), result 6 (values ["text" .= ("stuck" :: Text)]), failed "Action goal was rejected", failed "No action server available"]
@@ -85,7 +84,7 @@ tests =
         )
           @?= ([(0, goal), (1, "Request cancel_action_goal /count " ++ ident)], [(0, goal)]),
       testCase "a service is a task as well" $
-        told (callService (Count 3) >>= say . show) [at 0 ticked, at 0.1 (frame "service_response" firstCall (["result" .= True] ++ values ["sum" .= (6 :: Int)]))]
+        told (callService (Count 3) >>= say . show) [at 0 ticked, at 0.1 (frame "service_response" firstCall (("result" .= True) : values ["sum" .= (6 :: Int)]))]
           @?= [(0, "Request call_service /sum " ++ ident), (0.1, "Say \"Succeeded (Counted 6)\"")],
       testCase "what the robot has no action for the language does" $
         take 2 (commandsOf (driveDistance 0.5) [at 0 still, at 0.02 (failed "the robot has no such action"), at 0.04 still])

@@ -14,7 +14,6 @@ module Ros.Node.Run
   )
 where
 
-import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (cancel, forConcurrently_, waitCatch, withAsync)
 import Control.Concurrent.MVar (newMVar, withMVar)
 import Control.Concurrent.STM
@@ -70,14 +69,20 @@ withCore settings name act = do
     loggerServices core
     effects <- newTQueueIO
     started <- newMVar ()
+    isOver <- newTVarIO False
     let start = withMVar started $ \() -> do
           _ <- spawnLinked core (serveCalls calls (answering core effects))
           _ <- spawnLinked core (accepting topics (serveConnection core))
           _ <- spawnLinked core (forever (atomically (readTQueue effects) >>= carryOut core))
           forM_ (privateParams (arguments settings)) $ \(k, v) -> setParam (master core) (resolve (coreNaming core) ('~' : k)) (literal v)
-          spawnLinked core (watchMaster core)
-    -- Who watches must not register again what is being taken back.
-    bracket start cancel (const (act core)) `finally` finish core
+          spawnLinked core (watchMaster isOver core)
+        -- Who watches must not register again what is being taken back, also not by a call that is on its way: it would take the
+        -- name from a node that comes next.
+        end watching = do
+          atomically (writeTVar isOver True)
+          _ <- timeoutInSlices lastCall (waitCatch watching)
+          cancel watching
+    bracket start end (const (act core)) `finally` finish core
   where
     withSocket onlyHere use = bracket (listenAnywhere onlyHere) (close . fst) (uncurry use)
 
@@ -162,11 +167,15 @@ slaveOf core = do
 watchEvery :: Int
 watchEvery = 1000000
 
+-- | Time for the registrations on their way when a node ends, microseconds. A master answers one in a few milliseconds.
+lastCall :: Int
+lastCall = 1000000
+
 -- | Registers what the master does not know: at the start, if it was not there yet, and after it was
 -- restarted. Ends the node when another has taken its name. Who had the name before this node was known is no such other: a node
--- that was killed stays registered.
-watchMaster :: Core -> IO ()
-watchMaster core = go True False
+-- that was killed stays registered. Until the node is over.
+watchMaster :: TVar Bool -> Core -> IO ()
+watchMaster isOver core = go True False
   where
     go wasThere wasKnown = do
       found <- lookupNode (master core) (ownName (coreNaming core))
@@ -184,7 +193,12 @@ watchMaster core = go True False
           if wasThere then complain core (explainRpcError why ++ "; waiting for the ROS master") else pure ()
           atomically (writeTVar (unregistered core) True)
           rest False wasKnown
-    rest there known = threadDelay watchEvery >> go there known
+    rest there known = do
+      isDue <- registerDelay watchEvery
+      over <- atomically $ do
+        over <- readTVar isOver
+        over <$ (readTVar isDue >>= check . (over ||))
+      unless over (go there known)
 
 -- | Whether the master knows what 'registerAll' tells it last. A master that was restarted between two looks knows the node from
 -- the first thing that the node told it since, and nothing of what the node told its predecessor.
