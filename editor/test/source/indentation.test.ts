@@ -57,12 +57,12 @@ describe("a new line", () => {
         const fresh = indentBelow(lines.slice(0, i), "")
         const word = /^\s*(\||where|deriving|(?:then|else|in) )/.exec(line)?.[1]
         const found = word === undefined ? fresh : indentBelow(lines.slice(0, i), " ".repeat(fresh) + word)
-        // That a body is over and another equation begins, or that a value goes on further in, only its author knows.
-        const ends = line.search(/\S/) === 0 && /^ {2}/.test(lines[i - 1] ?? "")
+        // That a body is over and another equation or step begins, or that a value goes on further in, only its author knows.
+        const column = line.search(/\S/)
         const above = (lines[i - 1] ?? "").search(/\S/)
-        const goesOn = found === above && line.search(/\S/) > above
-        if (found !== line.search(/\S/) && !ends && !goesOn)
-          elsewhere.push(`${name}:${i + 1} at ${found}: ${line}`)
+        const ends = column < above && lines.slice(0, i).some(earlier => earlier.search(/\S/) === column)
+        const goesOn = found === above && column > above
+        if (found !== column && !ends && !goesOn) elsewhere.push(`${name}:${i + 1} at ${found}: ${line}`)
       })
     }
     expect(elsewhere).toEqual([])
