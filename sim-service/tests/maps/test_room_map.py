@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import islice
 
 import pytest
 
@@ -35,7 +36,8 @@ def test_what_is_free_and_occupied_in_the_gallery_is_what_a_robot_meets(name: st
     world = usable_world(still, name)
     # From the middle of a cell to its corner, and the thickness of the lines.
     near = RESOLUTION
-    for (x, y), value in cells(world.arena).items():
+    # A part of the cells that is in all rows and columns.
+    for (x, y), value in islice(cells(world.arena).items(), 0, None, 7):
         if not (near < x < world.arena.width - near and near < y < world.arena.height - near):
             continue
         surface = min(world.obstacles.distance(x, y, math.tau * n / 16, 2 * near) for n in range(16))
