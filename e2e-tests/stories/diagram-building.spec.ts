@@ -1,25 +1,11 @@
 /// A program that backs off at a wall, wired in the diagram from an empty program: by mouse, and by keyboard in the list form. Its equations are typed.
 
 import {AxeBuilder} from "@axe-core/playwright"
-import {expect, type Locator, type Page} from "@playwright/test"
+import {expect} from "@playwright/test"
 import {boxAtRest} from "./at_rest.ts"
-import {Learner} from "./learner.ts"
+import {beginsInDiagram, diagram, drags, node} from "./diagram_page.ts"
+import type {Learner} from "./learner.ts"
 import {test} from "./story.ts"
-
-const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
-const node = (page: Page, name: RegExp) => diagram(page).getByRole("button", {name})
-
-async function begins(page: Page): Promise<Learner> {
-  const learner = new Learner(page)
-  await page.setViewportSize({width: 1366, height: 768})
-  await learner.opens("move")
-  await page.getByRole("button", {name: "More", exact: true}).click()
-  await page.getByText("New program").click()
-  await expect(learner.haskell()).toContainText("simulate _")
-  await page.getByRole("button", {name: "Diagram", exact: true}).click()
-  await expect(diagram(page)).toContainText("The program simulates nothing yet.")
-  return learner
-}
 
 /// Fills the first empty place of the text.
 async function fills(learner: Learner, answer: string): Promise<void> {
@@ -49,19 +35,8 @@ async function backsOff(learner: Learner): Promise<void> {
   await learner.stops()
 }
 
-async function drags(page: Page, from: Locator, to: Locator): Promise<void> {
-  const middle = async (end: Locator) => {
-    const box = await boxAtRest(end)
-    return {x: box.x + box.width / 2, y: box.y + box.height / 2}
-  }
-  const [start, end] = [await middle(from), await middle(to)]
-  await page.mouse.move(start.x, start.y)
-  await page.mouse.down()
-  await page.mouse.move(end.x, end.y, {steps: 5})
-}
-
 test("by mouse: sensors are dragged onto an actuator, and what does not fit says why", async ({page}) => {
-  const learner = await begins(page)
+  const learner = await beginsInDiagram(page)
   const end = (name: string) =>
     diagram(page)
       .getByRole("listitem")
@@ -127,7 +102,7 @@ test("by mouse: sensors are dragged onto an actuator, and what does not fit says
 })
 
 test("by keyboard: the list form connects, renames, copies and undoes", async ({page}) => {
-  const learner = await begins(page)
+  const learner = await beginsInDiagram(page)
   await diagram(page).getByRole("button", {name: "As a list"}).press("Enter")
   const connects = async (from: string, to: string) => {
     await diagram(page).getByRole("combobox", {name: "From"}).selectOption(from)

@@ -1,37 +1,9 @@
 /// Tasks as states in the diagram: two states are built from an empty program by mouse, with counted actions, and by keyboard in the list form.
 
 import {AxeBuilder} from "@axe-core/playwright"
-import {expect, type Locator, type Page} from "@playwright/test"
-import {boxAtRest} from "./at_rest.ts"
-import {Learner} from "./learner.ts"
+import {expect} from "@playwright/test"
+import {beginsInDiagram, diagram, drags, node} from "./diagram_page.ts"
 import {test} from "./story.ts"
-
-const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
-const node = (page: Page, name: RegExp) => diagram(page).getByRole("button", {name})
-
-async function begins(page: Page): Promise<Learner> {
-  const learner = new Learner(page)
-  await page.setViewportSize({width: 1366, height: 768})
-  await learner.opens("move")
-  await page.getByRole("button", {name: "More", exact: true}).click()
-  await page.getByText("New program").click()
-  await expect(learner.haskell()).toContainText("simulate _")
-  await page.getByRole("button", {name: "Diagram", exact: true}).click()
-  await expect(diagram(page)).toContainText("The program simulates nothing yet.")
-  return learner
-}
-
-async function drags(page: Page, from: Locator, to: Locator): Promise<void> {
-  const middle = async (end: Locator) => {
-    const box = await boxAtRest(end)
-    return {x: box.x + box.width / 2, y: box.y + box.height / 2}
-  }
-  const [start, end] = [await middle(from), await middle(to)]
-  await page.mouse.move(start.x, start.y)
-  await page.mouse.down()
-  await page.mouse.move(end.x, end.y, {steps: 5})
-  await page.mouse.up()
-}
 
 const built = `main :: IO ()
 main = simulate (forever $ do
@@ -39,7 +11,7 @@ main = simulate (forever $ do
   driveBack 1)`
 
 test("by mouse: two states and the arrow back, and a third one in between", async ({page}) => {
-  const learner = await begins(page)
+  const learner = await beginsInDiagram(page)
   const offered = (name: string) =>
     diagram(page)
       .getByRole("list", {name: "Steps"})
@@ -81,7 +53,7 @@ test("by mouse: two states and the arrow back, and a third one in between", asyn
 })
 
 test("by keyboard: the list form adds, repeats, moves and takes apart", async ({page}) => {
-  const learner = await begins(page)
+  const learner = await beginsInDiagram(page)
   await diagram(page).getByRole("button", {name: "As a list"}).press("Enter")
   const step = diagram(page).getByRole("combobox", {name: "New step"})
   const actions = diagram(page).getByRole("group", {name: /^What can be done with/})

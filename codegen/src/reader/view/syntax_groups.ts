@@ -90,7 +90,7 @@ const grouping: ReadonlySet<Node["kind"]> = new Set<Node["kind"]>([
   "typed-pattern",
 ])
 
-/// Whether the places that GHC tells of a definition are those of its tree. Both count from the start of its text. White space, comments and
+/// Whether the places that GHC reports of a definition are those of its tree. Both count from the start of its text. White space, comments and
 /// semicolons at their ends do not count.
 export function areSameGroups(text: string, {nodes, texts}: SyntaxGroups, theirs: readonly Range[]): boolean {
   const words = tokens(text).filter(t => t.kind !== "comment" && text.slice(t.start, t.end) !== ";")
@@ -100,8 +100,8 @@ export function areSameGroups(text: string, {nodes, texts}: SyntaxGroups, theirs
   }
   const isInText = ({start, end}: Range) => texts.some(t => t.start <= start && end <= t.end)
   const ours = new Set(nodes.map(keyOf))
-  const told = new Set(theirs.filter(r => !isInText(r)).map(keyOf))
-  return ours.size === told.size && [...ours].every(key => told.has(key))
+  const reported = new Set(theirs.filter(r => !isInText(r)).map(keyOf))
+  return ours.size === reported.size && [...ours].every(key => reported.has(key))
 }
 
 /// How many of the first items are like this; those behind them are not.

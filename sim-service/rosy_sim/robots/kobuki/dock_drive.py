@@ -29,7 +29,7 @@ _STAGING = 0.6
 _SPEED, _SLOW, _TURN = 0.15, 0.06, 1.0
 """Fastest ahead and in the dock, m/s, and turning, rad/s. Our choice."""
 
-_PATIENCE = 90 * STEPS_PER_SECOND
+_TIME_LIMIT = 90 * STEPS_PER_SECOND
 """Steps after which the attempt is given up. Our choice."""
 
 
@@ -50,7 +50,7 @@ class DockDrive:
         self._steps += 1
         if dock is None or (self._state == "FIND_STREAM" and not (is_docked(robot) or sees_dock(robot))):
             return _aborted("no dock is in sight.")
-        if self._steps > _PATIENCE:
+        if self._steps > _TIME_LIMIT:
             return _aborted("it took too long.")
         depth, left, deviation = _offset(robot, dock)
         if is_docked(robot) and depth < 0.01:

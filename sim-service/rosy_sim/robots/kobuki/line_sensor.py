@@ -20,8 +20,8 @@ _NO_LINE, _LEFT, _AHEAD, _RIGHT = 0, 1, 2, 3
 _REACH = max(math.hypot(x, y) for x, y in LINE_DETECTORS)
 """Of the farthest detector from the middle of the robot, m."""
 
-_TOLD: tuple[dict[str, tuple[float | int | str, ...]], ...] = tuple({"LineSensor": (code,)} for code in range(4))
-"""What is told, by code: the same object as long as nothing changes."""
+_VALUES: tuple[dict[str, tuple[float | int | str, ...]], ...] = tuple({"LineSensor": (code,)} for code in range(4))
+"""What it senses, by code: the same object as long as nothing changes."""
 
 _Segment = tuple[float, float, float, float, float]
 """Its two ends and half of its width, m."""
@@ -40,14 +40,14 @@ class LineSensor:
             for start, end in zip(line.points, line.points[1:], strict=False)
         ]
         self._pose = (math.nan, math.nan, math.nan)
-        self._values = _TOLD[_NO_LINE]
+        self._values = _VALUES[_NO_LINE]
 
     def values(self, robot: Surroundings) -> dict[str, tuple[float | int | str, ...]]:
         """``LineSensor``: no line, to the left, ahead, to the right."""
         pose = (robot.x, robot.y, robot.theta)
         if self._segments and pose != self._pose:
             self._pose = pose
-            self._values = _TOLD[self._place(*pose)]
+            self._values = _VALUES[self._place(*pose)]
         return self._values
 
     def _place(self, x: float, y: float, theta: float) -> int:

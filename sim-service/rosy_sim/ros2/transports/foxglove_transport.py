@@ -84,7 +84,7 @@ class FoxgloveTransport(ServerListener):  # type: ignore[misc]
             return known
 
     def request_writer(self, service: str, kind: str) -> Writer:  # noqa: ARG002 no panel offers a service
-        """Reaches nobody."""
+        """Its messages are dropped: no panel offers a service."""
         return _NoWriter()
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:  # noqa: ARG002
@@ -179,7 +179,7 @@ class _Writer:
 
 class _NoWriter:
     def write(self, message: Any) -> None:
-        """To nobody."""
+        """Drop it."""
 
     def is_matched(self) -> bool:
         return False
