@@ -149,7 +149,7 @@ function RobotChoice(): VNode | null {
   const world = usePageState(s => (s.robots.held === null ? s.room.world : null))
   if (world === null) return null
   return (
-    <label class="robot-choice">
+    <label class="simulated-robot">
       {words.world.robot}
       <select
         value={world.robot}
