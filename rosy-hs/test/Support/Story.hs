@@ -68,6 +68,8 @@ data Heard = Heard
     heardFired :: [String],
     heardCommands :: [String],
     heardEvents :: [String],
+    -- | What is remembered then, type and value; nothing at the end.
+    heardMemory :: [(String, String)],
     heardEnd :: Maybe String
   }
   deriving (Eq, Show)
@@ -98,18 +100,18 @@ hearProgram p = go 0 [] (begin (Start 0 0 (mkStdGen 1)) p)
         Just failure -> closing time (("failed: " ++ failure) : nameText (firingName firing) : fired) "Failed" (firingFailed firing)
       Settled network ->
         let (report, network') = collect network
-         in heard time fired report Nothing : case todo of
+         in heard time fired report (remembered network') Nothing : case todo of
               [] -> []
               (t, what) : rest -> go t [] (instant t what network') rest
       Enters _ _ after -> go time fired after todo
       Closes outcome after -> closing time fired (show outcome) after
-      Ended report -> [heard time fired report Nothing]
+      Ended report -> [heard time fired report [] Nothing]
     closing time fired how = \case
       Fires firing after -> closing time (nameText (firingName firing) : fired) how (maybe after (const (firingFailed firing)) (attempt (firingEffects firing)))
       Enters _ _ after -> closing time fired how after
       Closes _ after -> closing time fired how after
       Settled network -> closing time fired how (stop network)
-      Ended report -> [heard time fired report (Just how)]
+      Ended report -> [heard time fired report [] (Just how)]
     heard time fired report =
       Heard time (reverse fired) (map tellAction (reportActions report)) (reportEvents report)
 

@@ -10,6 +10,9 @@ import Rosy
 import Rosy.Loop (What)
 import Rosy.Program
 import Rosy.Robot
+import Rosy.Runnable (program)
+import Support.Rehearsal (Cue (..), rehearse)
+import qualified Support.Rehearsal as Rehearsal
 import Support.Story
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit
@@ -215,6 +218,16 @@ calls =
     testCase "a cancelled sequence stops in whatever step it is, and cleans up once" $
       commandsOf (\(Button n _) -> if n == Button0 then Just (call twoSteps quiet {cancelOn = \(ButtonOne _) -> Just Cancel}) else Nothing) story
         @?= ["Say \"one\"", "Say \"two\"", "Velocity 0.5 0.0", "Led1 Red", "Velocity 0.0 0.0"],
+    testCase "what a called task remembers is forgotten at its end" $
+      map heardMemory (hear (\(Button _ _) -> call (task () (\(Bumper _ _) (Memory n) -> (Memory (n + 1 :: Int), if n == 1 then Just (Done ()) else Nothing))) quiet) [at 0 push, at 0.1 bump, at 0.2 bump])
+        @?= [[], [], [("Memory Int", "1")], []],
+    testCase "a state that cancels a call wakes a program that waits for nothing else" $ do
+      let whenFast (Velocity v _) = if v > 0.2 then Just Cancel else Nothing
+          asleep = taskWith taskOptions {stopped = Led1 Red} (\Never -> Done ()) :: Task ()
+          driving v = OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity v 0))
+          cues = [Steps 0 [BumperMessage (Bumper LeftBumper Pressed)] True, Steps 1 [driving 0.1] False, Steps 2 [driving 0.3] False]
+      heard <- rehearse cues (program (Names []) (\(Bumper _ _) -> call asleep quiet {cancelOn = whenFast}))
+      [(Rehearsal.heardAt h, c) | h <- heard, c <- Rehearsal.heardCommands h] @?= [(2, "Led1 Red")],
     testCase "two calls at once are two tasks" $
       commandsOf (\(Button _ _) -> call (wait 0.1 >> say "done") quiet) [at 0 push, at 0.05 push, at 0.1 ticked, at 0.15 ticked, at 0.2 ticked]
         @?= ["Say \"done\"", "Say \"done\""],
