@@ -1,7 +1,7 @@
 """
 Sentences of explanations as translatable sentences. Names of functions are in ``**``, values and types in backquotes.
 
-``protocol/sentences`` has them in other languages. The page has tables of its own (``editor/src/words``), in which
+``languages`` has them in other languages. The page has tables of its own (``editor/src/words``), in which
 names and values can be pressed; ``protocol/goldens/explanations.jsonl`` holds the English of both together.
 """
 
