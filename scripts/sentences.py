@@ -2,7 +2,7 @@
 Translations of sentences, as a check: every template of the source text stands in every language's table, and takes its arguments.
 
 In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker``, ``rosy-hs/src``, ``rosy-hs/robots``, ``rosy-hs/app`` (``Rosy.Sentence``),
-calls of ``tr`` in ``sim-service/rosy_sim``
+calls of ``tr`` and ``template`` in ``sim-service/rosy_sim``
 (``rosy_sim.sentences.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
 and help pages in ``languages``. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
 translations, to begin a language with; with the name of a table, those that it lacks.
@@ -39,7 +39,7 @@ _PLACEHOLDER = re.compile(r"\{(?:([A-Za-z]+) )?([A-Za-z]+)\}")
 # Three words of English that follow one another.
 _ENGLISH = re.compile(r"[A-Za-z']{2,} [a-z]{2,} [a-z]{2,}")
 # Calls whose texts are known sentences, or are not for readers: documentation of a schema, patterns.
-_NO_SENTENCES = {"tr", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error", "ArgumentParser", "add_argument"}
+_NO_SENTENCES = {"tr", "template", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error", "ArgumentParser", "add_argument"}
 _SENTENCE_ERRORS = {
     "RosyError", "BadInput", "OutputFailed", "RobotMissing", "WorkerLost", "ArenaError", "BadProperty", "BadPattern", "BadStep", "ActionRefused", "BadMessage",
     "TreeError",
@@ -106,9 +106,13 @@ def _closing(text: str) -> int:
 def service_templates(source: str) -> Iterator[tuple[int, str | None, set[str] | None]]:
     """The same of Python source text."""
     for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.Call) or _called(node.func) != "tr":
+        of_table = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "template"
+        if not isinstance(node, ast.Call) or not (of_table or _called(node.func) == "tr"):
             continue
         template = node.args[0].value if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) else None
+        if of_table:
+            yield node.lineno, template, placeholders(template) if isinstance(template, str) else None
+            continue
         names = [keyword.arg for keyword in node.keywords]
         yield node.lineno, template if isinstance(template, str) else None, None if None in names else {name for name in names if name}
 

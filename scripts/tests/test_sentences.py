@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sentences import sentence_breaches, sentence_ids, templates
+from sentences import sentence_breaches, sentence_ids, service_templates, templates
 
 _FORMS = {"type": "{type}", "function": "{type}", "alternative": " o ", "sequence": ", ", "numbers": []}
 
@@ -68,3 +68,8 @@ def test_a_table_without_its_forms_is_refused(tmp_path: Path) -> None:
     root = _project(tmp_path, 'f = tr "One."', {})
     (root / "languages/xx/sentences.json").write_text('{"sentences": {"One.": "Uno."}}')
     assert "a table has type, function" in next(sentence_breaches(root))
+
+
+def test_a_template_of_a_table_has_the_arguments_that_it_names() -> None:
+    source = 'from x import template\ntable = {"came": template("{one} came."), "other": template(text)}\nw.template(key)\n'
+    assert list(service_templates(source)) == [(2, "{one} came.", {"one"}), (2, None, None)]

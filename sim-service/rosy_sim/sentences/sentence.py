@@ -25,6 +25,7 @@ __all__ = [
     "english",
     "fill",
     "sentence_of",
+    "template",
     "tr",
     "verbatim",
 ]
@@ -69,6 +70,11 @@ def tr(template: str, /, **arguments: Argument | os.PathLike[str] | BaseExceptio
     An exception stands for its own sentence, or its text when it has none.
     """
     return Sentence(template, {name: _argument(value) for name, value in arguments.items()})
+
+
+def template(text: str) -> str:
+    """A template in a table: attributes of one value are its arguments. ``scripts/sentences.py`` reads these calls."""
+    return text
 
 
 def verbatim(text: str) -> Sentence:
