@@ -17,8 +17,10 @@ from citations import citation_breaches
 from confusable_characters import confusable_breaches
 from extension_table import extension_breaches
 from function_lengths import function_length_breaches
+from languages import language_breaches
 from protection_table import protection_breaches
 from robot_sentences import translation_breaches
+from robot_typescript import label_breaches
 from sentences import sentence_breaches
 from tracked_files import tracked_files
 
@@ -32,13 +34,19 @@ GHC_IN_BASE = {
 
 TOP_LEVEL = {
     "README.md", "ARCHITECTURE.md", "DECISIONS.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE", "rosy", "package.json",
-    "package-lock.json", "rosy.cabal", "protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests",
+    "package-lock.json", "rosy.cabal", "protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests", "languages",
 }  # fmt: skip
 
-FOLDERS_WITH_README = ["protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests", "scripts"]
+FOLDERS_WITH_README = ["languages", "protocol", "codegen", "editor", "rosy-hs", "sim-service", "examples", "e2e-tests", "scripts"]
 
 # What would tell where a file was written, or tie a lock file to one registry.
 NOWHERE = re.compile(r"/work/(main|wt|shared)|registry\.npmjs\.org|pypi\.org/simple|files\.pythonhosted\.org|deb\.debian\.org")
+
+
+# What the tables of a language import: one another, the types of tables, how numbers are written, Blockly's own words.
+OF_A_LANGUAGE = re.compile(
+    r"\./|(\.\./){2}en/page/|\.\./blocks/index\.ts|(\.\./){3}(codegen/src/words|editor/src/words|editor/src/worlds)/|@rosy/codegen/text-file|blockly/msg/"
+)
 
 
 def imports_ts(text: str) -> Iterator[str]:
@@ -52,7 +60,7 @@ def imports_hs(text: str) -> Iterator[str]:
 def breaches(path: Path, text: str) -> Iterator[str]:
     """The rules that one file breaks, each as the end of a sentence that begins with its name."""
     name = path.as_posix()
-    if name.startswith("codegen/src/"):
+    if name.startswith("codegen/src/") or re.match("languages/[^/]+/blocks/", name):
         for used in imports_ts(text):
             if re.match(r"(blockly|@blockly|@codemirror|codemirror|preact|jsdom|node:(net|http|https|dns))", used):
                 yield f"imports {used}: codegen knows no Blockly, DOM or network"
@@ -60,6 +68,10 @@ def breaches(path: Path, text: str) -> Iterator[str]:
                 yield f"imports {used}: the editor uses codegen, never the other way round"
         if re.search(r"\b(document|window|fetch|WebSocket|localStorage)\b\s*[.(]", re.sub(r"(//[^\n]*|/\*.*?\*/|`[^`]*`|\"[^\"\n]*\")", "", text, flags=re.S)):
             yield "uses the browser: codegen knows no DOM"
+    if name.startswith("languages/"):
+        for used in re.findall(r'^import [^"\n]*from "([^"]+)"', text, re.M):
+            if not OF_A_LANGUAGE.match(used):
+                yield f"imports {used}: a language holds words, and knows the tables' types only"
     if name.startswith(("editor/src/program/", "editor/src/state/", "editor/src/reducers/", "editor/src/values/")):
         for used in imports_ts(text):
             # Change sets and text differences are pure values; both packages serve them.
@@ -96,7 +108,10 @@ def folder_breaches(files: list[Path]) -> Iterator[str]:
 NAMING_A_ROBOT = {"rosy.cabal", "sim-service/pyproject.toml", "rosy-hs/worker/Rosy/Worker/Explanation/OriginalVocabulary.hs"}
 
 # Descriptions of robots, code for one robot, what is generated, examples, tests and documentation.
-ABOUT_ROBOTS = re.compile(r"^protocol/|/robots/|^examples/|/examples/|test|/bench/|corpus|generated|Rosy/Robot/Known\.hs$|/ros/msg/|\.(md|txt)$|^scripts/")
+ABOUT_ROBOTS = re.compile(
+    r"^protocol/|^languages/[^/]+/sentences\.json$|/robots/|^examples/|/examples/|test|/bench/|corpus|generated|Rosy/Robot/Known\.hs$|/ros/msg/|\.(md|txt)$|"
+    r"^scripts/"
+)
 
 
 def robot_breaches(path: Path, text: str) -> Iterator[str]:
@@ -109,6 +124,7 @@ def robot_breaches(path: Path, text: str) -> Iterator[str]:
 def main() -> int:
     files = tracked_files(ROOT)
     found: list[str] = [*folder_breaches(files), *citation_breaches(ROOT, files)]
+    found += [*language_breaches(ROOT), *label_breaches()]
     found += [*extension_breaches(ROOT), *protection_breaches(ROOT), *sentence_breaches(ROOT), *translation_breaches(ROOT), *confusable_breaches(ROOT)]
     found += [f"sim-service/rosy_sim: {what}" for what in python_imports.breaches(ROOT / "sim-service" / "rosy_sim")]
     found += function_length_breaches(ROOT, files)

@@ -1,7 +1,7 @@
 """
 Translations for executables that run without Rosy: the sentences of `rosy-hs/robots`, `rosy-hs/app` and `rosy-hs/src` in every language.
 
-In: their templates, and the tables `protocol/sentences/*.json`. Out: `rosy-hs/robots/generated/Rosy/Robots/Translations.hs`, which
+In: their templates, and the tables `languages/*/sentences.json`. Out: `rosy-hs/robots/generated/Rosy/Robots/Translations.hs`, which
 `python3 scripts/robot_sentences.py` writes and `borders.py` compares. Each table is JSON text, which `Rosy.Robots.Wording` reads when it is needed.
 """
 
@@ -18,7 +18,7 @@ MODULE = Path("rosy-hs/robots/generated/Rosy/Robots/Translations.hs")
 
 _HEADER = """-- |
 -- Module      : Rosy.Robots.Translations
--- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from protocol/sentences.
+-- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages.
 module Rosy.Robots.Translations
   ( tables,
   )
@@ -33,7 +33,7 @@ tables =
 def module_text(root: Path = ROOT) -> str:
     """The text of the generated module."""
     ids = haskell_ids(root, FOLDERS)
-    written = [_table(path.stem, json.loads(path.read_text()), ids) for path in sorted((root / TABLES).glob("*.json"))]
+    written = [_table(path.parent.name, json.loads(path.read_text()), ids) for path in sorted(root.glob(TABLES))]
     return _HEADER + "  [ " + ",\n    ".join(written) + "\n  ]\n"
 
 

@@ -2,9 +2,9 @@
 Translations of sentences, as a check: every template of the source text stands in every language's table, and takes its arguments.
 
 In: calls of ``tr`` and ``trWith`` in ``rosy-hs/worker``, ``rosy-hs/src``, ``rosy-hs/robots``, ``rosy-hs/app`` (``Rosy.Sentence``),
-calls of ``tr`` in ``sim-service/rosy_sim``
+calls of ``tr`` and ``template`` in ``sim-service/rosy_sim``
 (``rosy_sim.sentences.sentence``) and in what packs Rosy, sentences of ``./rosy`` itself (``shell_sentences.py``), titles of rooms and examples, the tables
-``protocol/sentences/*.json`` and the help pages. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
+and help pages in ``languages``. Out: one sentence per breach. ``python3 scripts/sentences.py`` prints the templates as a table without
 translations, to begin a language with; with the name of a table, those that it lacks.
 """
 
@@ -21,13 +21,13 @@ from shell_sentences import shell_bypasses, shell_templates
 
 ROOT = Path(__file__).resolve().parent.parent
 _HASKELL = ("rosy-hs/worker", "rosy-hs/src", "rosy-hs/robots", "rosy-hs/app")
-TABLES = Path("protocol/sentences")
+TABLES = "languages/*/sentences.json"
 # Defines both functions and quotes them in its comments.
 _DEFINITION = Path("rosy-hs/src/Rosy/Sentence.hs")
 _SERVICE = Path("sim-service/rosy_sim")
 _PACKAGES = ("scripts/package.py", "scripts/installation/*.py")
 _SHELL = ("rosy", "scripts/lib/*.sh")
-_HELP = Path("scripts/help")
+_LANGUAGES = Path("languages")
 _ROOMS = _SERVICE / "worlds"
 _EXAMPLES = Path("examples")
 
@@ -39,7 +39,7 @@ _PLACEHOLDER = re.compile(r"\{(?:([A-Za-z]+) )?([A-Za-z]+)\}")
 # Three words of English that follow one another.
 _ENGLISH = re.compile(r"[A-Za-z']{2,} [a-z]{2,} [a-z]{2,}")
 # Calls whose texts are known sentences, or are not for readers: documentation of a schema, patterns.
-_NO_SENTENCES = {"tr", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error", "ArgumentParser", "add_argument"}
+_NO_SENTENCES = {"tr", "template", "Meta", "compile", "fullmatch", "match", "_about_argument", "_report_error", "ArgumentParser", "add_argument"}
 _SENTENCE_ERRORS = {
     "RosyError", "BadInput", "OutputFailed", "RobotMissing", "WorkerLost", "ArenaError", "BadProperty", "BadPattern", "BadStep", "ActionRefused", "BadMessage",
     "TreeError",
@@ -48,7 +48,6 @@ _SENTENCE_ERRORS = {
 _EXEMPT = {
     "bench": "measurements, for developers",
     "classroom/exports/study_readme.py": "description of a data set, for researchers",
-    "classroom/word_list.py": "words of each language",
     "explain/wording.py": "English of explanations, which the page words by their ids",
     "lessons/schema.py": "documentation of a schema",
     "lessons/checks.py": "documentation of a schema",
@@ -107,9 +106,13 @@ def _closing(text: str) -> int:
 def service_templates(source: str) -> Iterator[tuple[int, str | None, set[str] | None]]:
     """The same of Python source text."""
     for node in ast.walk(ast.parse(source)):
-        if not isinstance(node, ast.Call) or _called(node.func) != "tr":
+        of_table = isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "template"
+        if not isinstance(node, ast.Call) or not (of_table or _called(node.func) == "tr"):
             continue
         template = node.args[0].value if len(node.args) == 1 and isinstance(node.args[0], ast.Constant) else None
+        if of_table:
+            yield node.lineno, template, placeholders(template) if isinstance(template, str) else None
+            continue
         names = [keyword.arg for keyword in node.keywords]
         yield node.lineno, template if isinstance(template, str) else None, None if None in names else {name for name in names if name}
 
@@ -189,10 +192,10 @@ def sentence_breaches(root: Path = ROOT) -> Iterator[str]:
     for path, line, text in _all_bypasses(root):
         yield f"{path.relative_to(root).as_posix()}:{line}: “{text}” is in no table of sentences; make it with tr, in a script with sentence"
     ids = sentence_ids(root)
-    for path in sorted((root / TABLES).glob("*.json")):
+    for path in sorted(root.glob(TABLES)):
         name, text = path.relative_to(root).as_posix(), path.read_text()
         yield from _table_breaches(name, json.loads(text), ids)
-        yield from _help_breaches(root, path.stem)
+        yield from _help_breaches(root, path.parent.name)
         if text.strip() != json.dumps(json.loads(text), indent=2, ensure_ascii=False):
             yield f"{name}: scripts/lib/sentences.sh reads one sentence a line, as json.dumps(…, indent=2, ensure_ascii=False) writes them"
 
@@ -217,8 +220,8 @@ _HELP_TOKENS = re.compile(r"--[a-z][a-z-]*|(?<=\./rosy )[a-z-]+|[a-z]+://|\.(?:h
 
 def _help_breaches(root: Path, language: str) -> Iterator[str]:
     """Help pages that a language lacks, or that name other options and commands than the English ones."""
-    for page in sorted((root / _HELP / "en").glob("*.txt")):
-        translated = root / _HELP / language / page.name
+    for page in sorted((root / _LANGUAGES / "en" / "help").glob("*.txt")):
+        translated = root / _LANGUAGES / language / "help" / page.name
         name = translated.relative_to(root).as_posix()
         if not translated.is_file():
             yield f"{name}: there is no such page; ./rosy help would be in English"

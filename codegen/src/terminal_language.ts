@@ -1,15 +1,11 @@
 /// Language of the command line: that of the machine's locale, as `sim-service/rosy_sim/sentences/wording.py` reads it.
 
-import {de} from "./words/de/index.ts"
-import {es} from "./words/es/index.ts"
-import {fr} from "./words/fr/index.ts"
 import {speak, type Words} from "./words/index.ts"
-import {pt} from "./words/pt/index.ts"
 
 type Environment = Readonly<Record<string, string | undefined>>
 
-/// Tables of the languages besides English.
-const tables: Readonly<Record<string, Words>> = {de, es, fr, pt}
+/// Tables of the languages besides English, by the path of their file.
+const tables = import.meta.glob<Words>("../../languages/*/blocks/index.ts", {import: "table", eager: true})
 
 /// The first variable that is set and not empty names the language. POSIX.1-2017, Base Definitions, section 8.2.
 const variables = ["ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG"]
@@ -21,6 +17,6 @@ export function terminalLanguage(environment: Environment): string {
 
 /// Chooses the words of the machine's locale; English where there is no table.
 export function speakAsTerminal(environment: Environment): void {
-  const table = tables[terminalLanguage(environment)]
+  const table = tables[`../../languages/${terminalLanguage(environment)}/blocks/index.ts`]
   if (table !== undefined) speak(table)
 }

@@ -13,9 +13,9 @@ const files = readdirSync(src, {recursive: true, encoding: "utf8"})
 const imports = files.map(file => importsOf(file, readFileSync(join(src, file), "utf8")))
 
 function importsOf(file: string, text: string): string[] {
-  return [...text.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*"(\.[^"]+)"/g)].map(m =>
-    relative(src, join(src, dirname(file), m[1] ?? "")),
-  )
+  return [...text.matchAll(/(?:\bfrom|\bimport)\s*\(?\s*"(\.[^"]+)"/g)]
+    .map(m => relative(src, join(src, dirname(file), m[1] ?? "")))
+    .filter(target => !target.startsWith(".."))
 }
 
 /// Folders, lowest first: each imports only itself and those before it. The types in the root belong to the lowest level.

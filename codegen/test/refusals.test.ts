@@ -5,14 +5,14 @@
 
 import {setImmediate} from "node:timers/promises"
 import {expect, test} from "vitest"
+import {table as de} from "../../languages/de/blocks/index.ts"
+import {en} from "../../languages/en/blocks/index.ts"
+import {table as es} from "../../languages/es/blocks/index.ts"
+import {table as fr} from "../../languages/fr/blocks/index.ts"
+import {table as pt} from "../../languages/pt/blocks/index.ts"
 import type {SavedBlock, SavedWorkspace} from "../src/index.ts"
 import {blockView, checker, infer, newWorkspace, toolbox} from "../src/index.ts"
-import {de} from "../src/words/de/index.ts"
-import {en} from "../src/words/en/index.ts"
-import {es} from "../src/words/es/index.ts"
-import {fr} from "../src/words/fr/index.ts"
 import {speak} from "../src/words/index.ts"
-import {pt} from "../src/words/pt/index.ts"
 import {everyBlockIn} from "../src/workspace/inference/workspace_inference.ts"
 
 let ids = 0

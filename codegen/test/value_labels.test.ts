@@ -1,28 +1,23 @@
 /// Words on blocks for values that are chosen from a menu: shown in the language of the page, found by the search, never written into the program.
 
 import {afterEach, expect, test} from "vitest"
+import {table as de} from "../../languages/de/blocks/index.ts"
+import {en} from "../../languages/en/blocks/index.ts"
+import {table as es} from "../../languages/es/blocks/index.ts"
+import {table as fr} from "../../languages/fr/blocks/index.ts"
+import {table as pt} from "../../languages/pt/blocks/index.ts"
 import {blockView} from "../src/blocks/block_registry.ts"
 import {choices, valueLabel} from "../src/blocks/spec/constructor_labels.ts"
-import {de} from "../src/words/de/index.ts"
-import {en} from "../src/words/en/index.ts"
-import {es} from "../src/words/es/index.ts"
-import {fr} from "../src/words/fr/index.ts"
 import {speak} from "../src/words/index.ts"
-import {pt} from "../src/words/pt/index.ts"
 import {toolbox} from "../src/workspace/toolbox/toolbox.ts"
+import {wordsByLanguage} from "./translations.ts"
 
 afterEach(() => speak(en))
 
 const plain = new Set(["Bool", "Ordering"])
 const labelled = Object.entries(choices).filter(([type]) => !plain.has(type))
 
-test.each([
-  ["en", en],
-  ["de", de],
-  ["pt", pt],
-  ["es", es],
-  ["fr", fr],
-] as const)(
+test.each(wordsByLanguage)(
   "each value of the robot has a word of its own on blocks in %s, and its name in the tooltip",
   (_, table) => {
     speak(table)

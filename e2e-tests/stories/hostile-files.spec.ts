@@ -6,6 +6,7 @@ import {writeFileSync} from "node:fs"
 import {join} from "node:path"
 import {expect, type Page, type TestInfo} from "@playwright/test"
 import {hostileTexts, watchHarm, wellFormed} from "./hostile_texts.ts"
+import {languages} from "./languages.ts"
 import {Learner} from "./learner.ts"
 import {root} from "./service.ts"
 import {test} from "./story.ts"
@@ -51,7 +52,7 @@ const lesson = (text: string) => {
       {id: "guess", kind: "predict", answers: ["a", "b"], right: "a"},
       {id: "make", kind: "make", seconds: 1, checks: [{kind: "at", id: "far", time: 1, goal: 0}]},
     ],
-    texts: Object.fromEntries(["en", "de", "fr", "es", "pt"].map(language => [language, texts])),
+    texts: Object.fromEntries(languages.map(language => [language, texts])),
   }
 }
 

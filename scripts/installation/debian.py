@@ -138,7 +138,7 @@ def after_removal(root: Path) -> str:
     """
     deleted = tr("Rosy deletes /var/lib/rosy: the classes and recordings of the service that this system started, with the programs in them.")
     kept = tr("What people have made themselves stays: programs where they saved them, classes and recordings in ~/.local/share/rosy.")
-    tables = sorted(file.stem for file in (root / "protocol/sentences").glob("*.json"))
+    tables = sorted(file.parent.name for file in (root / "languages").glob("*/sentences.json"))
     cases = [(f"{language}*", wording(language)) for language in tables]
     lines = [f"{pattern}) deleted={quote(one.put(deleted))} kept={quote(one.put(kept))} ;;" for pattern, one in [*cases, ("*", ENGLISH)]]
     return _AFTER_REMOVAL.replace("SENTENCES", "\n    ".join(lines))

@@ -22,12 +22,15 @@ from rosy_sim.sentences.sentence import SentenceError, tr
 
 __all__ = ["System", "TreeError", "copy_tree", "haskell_build", "is_elf", "package_versions", "source_date", "this_system"]
 
-_COPIED = ("rosy", "rosy.cabal", "LICENSE", "scripts/lib", "scripts/help", "protocol", "examples", "editor/dist", "codegen/dist", ".rosy/api-docs")
+_COPIED = ("rosy", "rosy.cabal", "LICENSE", "scripts/lib", "languages", "protocol", "examples", "editor/dist", "codegen/dist", ".rosy/api-docs")
 """Copied as they are."""
 
 _EXECUTABLES = ("rosy-worker", "rosy-robot", "rosy-build")
 
 _IGNORED = shutil.ignore_patterns("__pycache__", "tests", "bench", ".keep")
+
+_COMPILED_WORDS = ("blocks", "page")
+"""Folders of a language that `editor/dist` and `codegen/dist` hold already."""
 
 
 class TreeError(SentenceError):
@@ -81,7 +84,8 @@ def copy_tree(root: Path, target: Path) -> None:
             raise TreeError(tr("{name} has not been built.", name=name))
         (target / name).parent.mkdir(parents=True, exist_ok=True)
         if source.is_dir():
-            shutil.copytree(source, target / name, ignore=_IGNORED)
+            ignored = shutil.ignore_patterns(*_COMPILED_WORDS) if name == "languages" else _IGNORED
+            shutil.copytree(source, target / name, ignore=ignored)
         else:
             shutil.copy2(source, target / name)
     shutil.copytree(root / "sim-service/rosy_sim", target / "sim-service/rosy_sim", ignore=_IGNORED)

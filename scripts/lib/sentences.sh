@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Sourced by ./rosy: sentences in the language of the machine's locale, before anything is installed.
 #
-# In: an English template with values for its placeholders. Out: the sentence of `protocol/sentences/<language>.json`, the same
+# In: an English template with values for its placeholders. Out: the sentence of `languages/<language>/sentences.json`, the same
 # tables that the service reads (sim-service/rosy_sim/sentences/wording.py), or English for a language without a table. Bash alone reads the
 # tables, which works because they hold one sentence a line; scripts/sentences.py checks both.
 
@@ -37,7 +37,7 @@ give_up() {
 
 # translation TEMPLATE: the template in the language of the locale.
 translation() {
-  local table="$ROSY_ROOT/protocol/sentences/$ROSY_LANGUAGE.json" key=$1 line start
+  local table="$ROSY_ROOT/languages/$ROSY_LANGUAGE/sentences.json" key=$1 line start
   if [ "$ROSY_LANGUAGE" = en-XA ]; then
     accented "$1"
   elif [ -f "$table" ]; then
@@ -81,8 +81,8 @@ with_accents() {
 
 # help_page NAME: the file of the page in the language of the locale; nothing when there is no such page.
 help_page() {
-  local folder="$ROSY_ROOT/scripts/help/$ROSY_LANGUAGE"
-  [ -d "$folder" ] || folder="$ROSY_ROOT/scripts/help/en"
+  local folder="$ROSY_ROOT/languages/$ROSY_LANGUAGE/help"
+  [ -d "$folder" ] || folder="$ROSY_ROOT/languages/en/help"
   case "$1" in "" | */*) ;; *) [ ! -f "$folder/$1.txt" ] || printf '%s\n' "$folder/$1.txt" ;; esac
 }
 

@@ -117,11 +117,11 @@ print_of() {
     haskell) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/worker rosy-hs/app ;;
     robot) fingerprint rosy.cabal cabal.project rosy-hs/src rosy-hs/ros rosy-hs/robots rosy-hs/app ;;
     builder) fingerprint rosy.cabal cabal.project rosy-hs/builder rosy-hs/worker ;;
-    codegen) fingerprint codegen/src codegen/package.json package-lock.json ;;
+    codegen) fingerprint codegen/src languages codegen/package.json package-lock.json ;;
     api-docs) fingerprint rosy-hs/src scripts/api_docs.py scripts/api_docs.css editor/src/styles/tokens.css package-lock.json ;;
     # Without the tests: a page that is being used stays while they are edited.
     page)
-      fingerprint rosy.cabal codegen/src editor/src editor/plugins editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
+      fingerprint rosy.cabal codegen/src editor/src editor/plugins languages editor/index.html editor/prelude.html editor/package.json editor/vite.config.ts \
         examples docs rosy-hs/LANGUAGE.md rosy-hs/from-the-paper.md rosy-hs/robots/robot.md rosy-hs/worker/PROTECTION.md package-lock.json
       ;;
   esac

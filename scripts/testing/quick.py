@@ -21,6 +21,7 @@ __all__ = ["Choice", "changed_since", "choose", "merge_base"]
 
 CROSSINGS = {
     "protocol/": {"codegen", "editor", "python", "haskell"},
+    "languages/": {"codegen", "editor", "python", "scripts"},
     "examples/": {"codegen", "editor", "python"},
     "docs/": {"editor", "python"},
     "rosy-hs/src/": {"codegen", "python", "haskell"},

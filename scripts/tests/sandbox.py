@@ -1,7 +1,7 @@
 """
 A copy of the command line with fake tools on its PATH, so that set-up can be tested without installing anything.
 
-The copy holds `rosy`, `scripts/lib`, `scripts/help`, the tables of sentences and the lock files. Every tool is a small shell script; each call is
+The copy holds `rosy`, `scripts/lib`, the tables and help pages of the languages and the lock files. Every tool is a small shell script; each call is
 appended to `calls`. `env` starts from nothing but the fake tools and the system's basic utilities.
 """
 
@@ -75,7 +75,7 @@ class Machine:
 def machine(folder: Path, name: str = "rosy") -> Machine:
     root, binaries = folder / name, folder / "bin"
     binaries.mkdir(parents=True)
-    for part in ("scripts/lib", "scripts/help", "protocol/sentences"):
+    for part in ("scripts/lib", "languages"):
         shutil.copytree(ROOT / part, root / part)
     for file in ("rosy", "package-lock.json", "rosy.cabal", "cabal.project", "scripts/api_docs.py"):
         (root / file).parent.mkdir(parents=True, exist_ok=True)

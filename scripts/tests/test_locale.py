@@ -11,7 +11,7 @@ from shell_sentences import shell_bypasses, shell_templates
 
 from .sandbox import ROOT, Machine, machine
 
-LANGUAGES = sorted(table.stem for table in (ROOT / "protocol/sentences").glob("*.json"))
+LANGUAGES = sorted(table.parent.name for table in ROOT.glob("languages/*/sentences.json"))
 
 # Three English words that follow one another, outside of commands and paths.
 _ENGLISH = re.compile(r"(?<![\w/-])[A-Za-z']{2,} [a-z]{2,} [a-z]{2,}(?![\w/-])")
@@ -32,7 +32,7 @@ def bare(tmp_path: Path) -> Machine:
 
 @pytest.mark.parametrize("language", ["en", *LANGUAGES])
 def test_each_help_page_is_in_the_language_of_the_locale(tmp_path: Path, language: str) -> None:
-    pages = ROOT / "scripts/help" / language
+    pages = ROOT / "languages" / language / "help"
     here = machine(tmp_path)
     env = {"LC_ALL": f"{language}_XX.UTF-8"}
     assert here.rosy("help", env=env).stdout == (pages / "commands.txt").read_text()
@@ -43,7 +43,7 @@ def test_each_help_page_is_in_the_language_of_the_locale(tmp_path: Path, languag
 
 def test_a_language_without_pages_shows_the_english_ones(tmp_path: Path) -> None:
     here = machine(tmp_path)
-    assert here.rosy("help", env={"LC_ALL": "xx_XX.UTF-8"}).stdout == (ROOT / "scripts/help/en/commands.txt").read_text()
+    assert here.rosy("help", env={"LC_ALL": "xx_XX.UTF-8"}).stdout == (ROOT / "languages/en/help/commands.txt").read_text()
 
 
 def test_an_unknown_command_is_refused_in_german(tmp_path: Path) -> None:

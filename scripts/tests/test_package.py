@@ -113,7 +113,7 @@ def test_purging_says_what_it_deletes_and_what_stays(tmp_path: Path) -> None:
     assert removed("purge", machine).splitlines() == [kept]
 
 
-@pytest.mark.parametrize("language", sorted(path.stem for path in (ROOT / "protocol/sentences").glob("*.json")))
+@pytest.mark.parametrize("language", sorted(path.parent.name for path in ROOT.glob("languages/*/sentences.json")))
 def test_purging_speaks_the_language_of_the_machine(language: str, tmp_path: Path) -> None:
     machine = tmp_path / "machine"
     (machine / "var/lib/rosy").mkdir(parents=True)

@@ -18,6 +18,7 @@ from typing import Any
 
 import pytest
 
+from languages import languages
 from robot_descriptions import Vocabulary, merged, robots
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -30,7 +31,7 @@ COPIED = [
     "rosy-hs/LANGUAGE.md",
     "rosy-hs/ros/msg",
     "sim-service/rosy_sim",
-    "codegen/src/words",
+    "languages",
     "codegen/src/robot",
 ]
 
@@ -195,7 +196,7 @@ def test_the_recipe_names_the_files_that_it_takes() -> None:
 
 def test_a_program_uses_a_sensor_that_was_added_by_the_recipe(copy: Path) -> None:
     follow_recipe(copy)
-    labels = (copy / "codegen/src/words/de/robot.generated.ts").read_text()
+    labels = (copy / "languages/de/blocks/robot.generated.ts").read_text()
     assert "Der Strom der Motoren." in labels
     assert "Linker Motor" in labels
     (copy / "Main.hs").write_text(PROGRAM)
@@ -208,7 +209,7 @@ def test_a_program_uses_a_sensor_that_was_added_by_the_recipe(copy: Path) -> Non
     assert said[-1] == "6"
 
 
-LANGUAGES = ("en", "de", "pt", "es", "fr")
+LANGUAGES = languages()
 
 ROLES = {"event": "Knocked", "state": "Humidity", "command": "Fan"}
 """A type of each role. The fan lasts, so its label says what it sets."""
@@ -249,7 +250,7 @@ def test_a_type_of_each_role_is_known_wherever_roles_matter(copy: Path) -> None:
         assert f'"{of}"' in table(roles, name)
         assert all(f'"{other}"' not in table(roles, name) for other in ROLES.values() if other != of)
     for language in LANGUAGES:
-        words = (copy / f"codegen/src/words/{language}/robot.generated.ts").read_text()
+        words = (copy / f"languages/{language}/blocks/robot.generated.ts").read_text()
         assert f'"{command}": "the fan"' in words.split('"actuators"')[1]
     # The service's explanations.
     told = run(copy, sys.executable, "-c", "from rosy_sim.robot_description import type_roles; print(*type_roles()[:3], sep='\\n')").splitlines()

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from sentences import sentence_breaches, sentence_ids, templates
+from sentences import sentence_breaches, sentence_ids, service_templates, templates
 
 _FORMS = {"type": "{type}", "function": "{type}", "alternative": " o ", "sequence": ", ", "numbers": []}
 
@@ -16,9 +16,9 @@ def _project(root: Path, source: str, sentences: dict[str, str]) -> Path:
     worker = root / "rosy-hs/worker"
     worker.mkdir(parents=True)
     (worker / "Module.hs").write_text(source)
-    tables = root / "protocol/sentences"
+    tables = root / "languages/xx"
     tables.mkdir(parents=True)
-    (tables / "xx.json").write_text(json.dumps({**_FORMS, "sentences": sentences}))
+    (tables / "sentences.json").write_text(json.dumps({**_FORMS, "sentences": sentences}))
     return root
 
 
@@ -66,5 +66,10 @@ def test_a_fault_is_named(tmp_path: Path, source: str, sentences: dict[str, str]
 
 def test_a_table_without_its_forms_is_refused(tmp_path: Path) -> None:
     root = _project(tmp_path, 'f = tr "One."', {})
-    (root / "protocol/sentences/xx.json").write_text('{"sentences": {"One.": "Uno."}}')
+    (root / "languages/xx/sentences.json").write_text('{"sentences": {"One.": "Uno."}}')
     assert "a table has type, function" in next(sentence_breaches(root))
+
+
+def test_a_template_of_a_table_has_the_arguments_that_it_names() -> None:
+    source = 'from x import template\ntable = {"came": template("{one} came."), "other": template(text)}\nw.template(key)\n'
+    assert list(service_templates(source)) == [(2, "{one} came.", {"one"}), (2, None, None)]

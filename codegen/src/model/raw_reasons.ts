@@ -1,6 +1,6 @@
 /// Catalogue of reasons why a piece of Haskell is a raw block. Every raw node names one of them.
 
-import {en} from "../words/en/index.ts"
+import {en} from "../../../languages/en/blocks/index.ts"
 
 /// As they are kept with a raw block, in English; what a learner reads is in their language.
 export const {reasons} = en

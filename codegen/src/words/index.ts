@@ -1,6 +1,6 @@
 /// The words of blocks, types and refusals in the language that was chosen at the start.
 
-import {en} from "./en/index.ts"
+import {en} from "../../../languages/en/blocks/index.ts"
 
 /// A table of words in another language: the same names, other words; functions take the same pieces.
 export type Translated<T> = T extends string

@@ -4,7 +4,7 @@
 
 import {readFileSync} from "node:fs"
 import {join} from "node:path"
-import type {TeachingWords} from "../../src/words/en/teaching.ts"
+import type {TeachingWords} from "./language_tables.ts"
 import {inTable} from "./lesson_page.ts"
 import {teachingWords} from "./teaching_words.ts"
 

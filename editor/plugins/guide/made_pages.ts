@@ -5,11 +5,12 @@
 
 import {cardsName, cardsPage, posterName, posterPage} from "./cards_page.ts"
 import {curriculaPage, readCurricula} from "./curricula_page.ts"
+import {tags} from "./language_tables.ts"
 import {lessonPage} from "./lesson_page.ts"
 import {type LessonSource, readLessons} from "./lesson_source.ts"
 import {planPage} from "./plan_page.ts"
 import {slidesName, slidesPage} from "./slides_page.ts"
-import {teachingLanguages, worksheetWords} from "./teaching_words.ts"
+import {worksheetWords} from "./teaching_words.ts"
 import {readTerm} from "./term.ts"
 import {worksheetPage} from "./worksheet_page.ts"
 import {readKey, writtenTestPage} from "./written_test_page.ts"
@@ -70,7 +71,7 @@ export function madeText(pages: MadePages, file: string): string | null {
 }
 
 export const isMadeIn = (file: string, language: string): boolean =>
-  file.startsWith(folder) && teachingLanguages.includes(language)
+  file.startsWith(folder) && tags.includes(language)
 
 /// A link to the page of a lesson that has no words gets the title of the lesson.
 function withTitles(text: string, lessons: readonly LessonSource[], language: string): string {

@@ -4,9 +4,9 @@
 /// what a page must not contain. It reads no file.
 
 import {Marked, type Token, type Tokens} from "marked"
-import {guideWords} from "../../src/guide/guide_words.ts"
 import {cardHtml, cardOf, cardText} from "./card_block.ts"
 import {escapeHtml, programHtml, programOf} from "./code_block.ts"
+import {tablesOf} from "./language_tables.ts"
 
 /// A part of a page below a heading, as text, for the search.
 export interface Section {
@@ -41,7 +41,11 @@ export interface ConvertedPage {
 
 const anchorTag = /^<a id="([\w-]+)"><\/a>$/
 
-export function convertMarkdown(text: string, resolver: Resolver, table = guideWords("en")): ConvertedPage {
+export function convertMarkdown(
+  text: string,
+  resolver: Resolver,
+  table = tablesOf("en").guide,
+): ConvertedPage {
   const faults: string[] = []
   const anchors = new Set<string>()
   const sections: {anchor: string; heading: string; text: string}[] = []

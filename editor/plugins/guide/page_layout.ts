@@ -1,8 +1,8 @@
 /// HTML of a guide page around its content: top bar with search, contents, links to the pages before and after. Plain HTML that can be read without a script.
 
-import {guideWords} from "../../src/guide/guide_words.ts"
 import {cardsName, posterName} from "./cards_page.ts"
 import {escapeHtml} from "./code_block.ts"
+import {tablesOf} from "./language_tables.ts"
 import {slidesName} from "./slides_page.ts"
 
 /// Addresses of the files that every page loads, from a guide page.
@@ -48,7 +48,7 @@ const icon =
 export const pageAddress = (name: string): string => `${name}.html`
 
 export function layOut(page: LaidOutPage, edition: Edition, files: SharedFiles): string {
-  const words = guideWords(edition.language)
+  const words = tablesOf(edition.language).guide
   const all = edition.chapters.flatMap(chapter => chapter.pages)
   const place = all.indexOf(page.name)
   const link = (name: string | undefined, rel: string, word: string) =>
@@ -114,12 +114,12 @@ function contents({language, chapters, pages, alternates}: Edition, open: string
     const other =
       page === undefined || page.language === language
         ? ""
-        : ` <small>(${guideWords(language).inEnglish})</small>`
+        : ` <small>(${tablesOf(language).guide.inEnglish})</small>`
     return `<li><a href="${page?.address}"${current}>${escapeHtml(page?.title ?? name)}${other}</a></li>`
   }
   const languages = [...alternates].map(
     ([tag, address]) =>
-      `<li><a href="${address}?lang=${tag}" lang="${tag}" hreflang="${tag}">${guideWords(tag).readHere}</a></li>`,
+      `<li><a href="${address}?lang=${tag}" lang="${tag}" hreflang="${tag}">${tablesOf(tag).guide.readHere}</a></li>`,
   )
   return [
     ...chapters.map(({title, folded, pages: names}) => {

@@ -5,9 +5,9 @@
 import {existsSync, readFileSync} from "node:fs"
 import {basename, dirname, join, normalize} from "node:path"
 import {fragmentOf} from "../../src/browser/share_link.ts"
-import {guideWords} from "../../src/guide/guide_words.ts"
 import type {SearchEntry} from "../../src/guide/search.ts"
 import {type Chapter, isTranslated, readContents, translatedFile, translations} from "./contents.ts"
+import {tablesOf} from "./language_tables.ts"
 import {type ConvertedPage, convertMarkdown, type Resolver} from "./markdown.ts"
 import {type Edition, layOut, pageAddress, type SharedFiles} from "./page_layout.ts"
 import {pictureSize} from "./picture_size.ts"
@@ -64,7 +64,7 @@ export async function readSite(root: string): Promise<Site> {
       convertMarkdown(
         texts.get(source.file) ?? "",
         references.resolverOf(source),
-        guideWords(source.language),
+        tablesOf(source.language).guide,
       ),
     ]),
   )

@@ -1,18 +1,12 @@
 /// Blocks of the toolbox for paper: by category, in words and in Haskell.
-///
-/// Codegen is imported by path: the build bundles what is imported by path, and leaves packages to Node, which cannot load TypeScript.
 
 import type {Family, Item} from "../../../codegen/src/block_shape.ts"
 import {blockView} from "../../../codegen/src/blocks/block_registry.ts"
 import type {SavedBlock} from "../../../codegen/src/serialized_blocks.ts"
-import {de} from "../../../codegen/src/words/de/index.ts"
-import {en} from "../../../codegen/src/words/en/index.ts"
-import {es} from "../../../codegen/src/words/es/index.ts"
-import {fr} from "../../../codegen/src/words/fr/index.ts"
 import {speak, type Words, words} from "../../../codegen/src/words/index.ts"
-import {pt} from "../../../codegen/src/words/pt/index.ts"
 import {codeOf} from "../../../codegen/src/workspace/inference/code_generation.ts"
 import {toolbox} from "../../../codegen/src/workspace/toolbox/toolbox.ts"
+import {tablesOf} from "./language_tables.ts"
 
 export interface PaperBlock {
   readonly family: Family
@@ -32,12 +26,10 @@ export interface PaperCategory {
 /// Larger blocks are examples of programs and do not fit on a card.
 const blocksOnCard = 7
 
-const tables: Readonly<Record<string, Words>> = {en, de, es, fr, pt}
-
 /// Each block once, in the order in which a beginner meets them. Patterns stand inside other blocks, and blocks that hold any text have no Haskell
 /// of their own.
 export function paperBlocks(language: string): readonly PaperCategory[] {
-  return inLanguage(tables[language] ?? en, () => {
+  return inLanguage(tablesOf(language).blocks, () => {
     const taken = new Set<string>()
     const categories = new Map<string, {readonly family: Family; readonly blocks: PaperBlock[]}>()
     for (const {name, family, items} of [...toolbox("tasks"), ...toolbox("haskell")]) {

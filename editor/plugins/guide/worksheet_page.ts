@@ -1,6 +1,6 @@
 /// Worksheet of a lesson for paper: the lesson's program and its two questions, tasks, and on a second sheet the answers and an activity without a computer.
 
-import type {WorksheetWords} from "../../src/words/en/worksheets.ts"
+import type {WorksheetWords} from "./language_tables.ts"
 import {code} from "./lesson_page.ts"
 import type {LessonSource, LessonTexts} from "./lesson_source.ts"
 import {worksheetWords} from "./teaching_words.ts"

@@ -1,7 +1,7 @@
 /// Wording of an explanation in the learner's language: a sentence as pieces of text, code, and names of functions.
 
+import type {why as english} from "../../../languages/en/page/why.ts"
 import type {Sentence} from "../wire/explanation.generated.ts"
-import type {why as english} from "../words/en/why.ts"
 import type {Measures} from "../words/number_formats.ts"
 
 export type WhyWords = typeof english

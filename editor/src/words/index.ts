@@ -1,7 +1,7 @@
 /// Words of the page in the language that was selected at its start.
 
 import type {Translated} from "@rosy/codegen/words"
-import {en} from "./en/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
 import {type Measures, measuresOf} from "./number_formats.ts"
 
 /// What a language says: all that English says, under the same names. One that is missing does not compile.

@@ -12,6 +12,6 @@ export interface Table {
   readonly page: Words
   readonly measures: Measures
   readonly blocks: WordsOnBlocks
-  /// The sentences of the worker, where they are not in a table of protocol/sentences.
+  /// The sentences of the worker, where they are not in a table of languages.
   readonly sentences?: SentenceForms
 }

@@ -1,9 +1,9 @@
 /// Two languages that nobody speaks, made from English: one with accents and a third longer, one written from right
 /// to left. On a page in one of them, what still reads as English is in no table, and what does not fit is cut off.
 
-import {en as onBlocks} from "@rosy/codegen/words/en"
 import * as blockly from "blockly/msg/en"
-import {en} from "./en/index.ts"
+import {en as onBlocks} from "../../../languages/en/blocks/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
 import type {Table} from "./language_table.ts"
 import {measuresOf} from "./number_formats.ts"
 

@@ -2,12 +2,12 @@
 
 import {blockTypes, type Level, libraryItems, type ToolboxItem, toolbox, typedItems} from "@rosy/codegen"
 import {speak, type Words} from "@rosy/codegen/words"
-import {de} from "@rosy/codegen/words/de"
-import {en} from "@rosy/codegen/words/en"
-import {es} from "@rosy/codegen/words/es"
-import {fr} from "@rosy/codegen/words/fr"
-import {pt} from "@rosy/codegen/words/pt"
 import {afterEach, describe, expect, test} from "vitest"
+import {table as de} from "../../../languages/de/blocks/index.ts"
+import {en} from "../../../languages/en/blocks/index.ts"
+import {table as es} from "../../../languages/es/blocks/index.ts"
+import {table as fr} from "../../../languages/fr/blocks/index.ts"
+import {table as pt} from "../../../languages/pt/blocks/index.ts"
 import type {Language} from "../../src/views/blocks/construction/language.ts"
 import {levels, search, searchable, searchEntries} from "../../src/views/blocks/interaction/toolbox_search.ts"
 

@@ -1,11 +1,8 @@
 /// Stories of hands on blocks, with a small language, in a real browser.
 
 import {afterAll, beforeAll, describe, expect, inject, test} from "vitest"
-import {german} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
+import {translations} from "../translations.ts"
 import {drag, grip, openStage, type Stage, settled, socket, told, tree} from "./browser.ts"
 
 let stage: Stage
@@ -230,7 +227,7 @@ test("every key of the blocks is told on the page of keys, in every language", a
   // One history for blocks and text: its keys are the page's. The last two do in the toolbox what two others do here. Moving freely is a
   // mode, and `rosyPutNext` is a key of the search field.
   const elsewhere = ["undo", "redo", "jump_to_previous_page", "jump_to_next_page"]
-  for (const words of [en, german.page, portuguese.page, spanish.page, french.page]) {
+  for (const words of [en, ...translations.map(table => table.page)]) {
     expect([...Object.keys(words.keys.blocks), ...elsewhere].sort()).toEqual(
       [...names, "moveFreely", "rosyPutNext"].sort(),
     )

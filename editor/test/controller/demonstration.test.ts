@@ -6,11 +6,8 @@ import {emptyDocument} from "../../src/program/history.ts"
 import {reduce} from "../../src/reducers/reducer.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
-import {german} from "../../src/words/de/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {words} from "../../src/words/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
+import {translations} from "../translations.ts"
 
 beforeEach(() => void vi.useFakeTimers())
 afterEach(() => void vi.useRealTimers())
@@ -57,7 +54,7 @@ describe("the demonstration", () => {
       "step null",
     ])
     expect(store.now.welcoming).toBe(true)
-    for (const table of [words, german.page, french.page, spanish.page, portuguese.page])
+    for (const table of [words, ...translations.map(one => one.page)])
       expect(table.welcome.steps).toHaveLength(5)
   })
   test.each(["changes the program", "runs it"])("ends when the learner %s", how => {

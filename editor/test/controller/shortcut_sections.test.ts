@@ -1,18 +1,15 @@
 /// The page of keys tells of every key, in every language.
 
 import {expect, test} from "vitest"
+import {en} from "../../../languages/en/page/index.ts"
 import {pageKeys} from "../../src/browser/browser_window.ts"
 import {worldKeys} from "../../src/views/room/editor/world_editor_shortcuts.ts"
 import {roomKeys} from "../../src/views/room/gestures.ts"
 import {textKeys} from "../../src/views/source/shortcuts.ts"
-import {german} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
+import {translations} from "../translations.ts"
 
 test("each key of the page, the text, the room and the world editor is told, and nothing else", () => {
-  for (const {keys} of [en, german.page, portuguese.page, spanish.page, french.page]) {
+  for (const {keys} of [en, ...translations.map(table => table.page)]) {
     expect(Object.keys(keys.page)).toEqual(expect.arrayContaining(Object.keys(pageKeys)))
     expect(Object.keys(keys.room).sort()).toEqual(Object.keys(roomKeys).sort())
     expect(Object.keys(keys.world).sort()).toEqual(Object.keys(worldKeys).sort())

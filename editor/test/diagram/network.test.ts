@@ -3,12 +3,12 @@
 
 import {join} from "node:path"
 import {describe, expect, it} from "vitest"
+import {diagram} from "../../../languages/en/page/diagram.ts"
 import {type ProgramPart, programParts} from "../../src/program/program_graph.ts"
 import {firstFolds, fold} from "../../src/views/diagram/network/network.ts"
 import {networkOf} from "../../src/views/diagram/network/network_builder.ts"
 import {outlineText} from "../../src/views/diagram/network/outline.ts"
 import {decode} from "../../src/wire/decode.ts"
-import {diagram} from "../../src/words/en/diagram.ts"
 import {graphNames, readGraph} from "./graphs.ts"
 
 const names = graphNames()

@@ -1,12 +1,9 @@
 /// "Your first class": what it calls a button or a line in italics stands on the pages with exactly this name.
 
-import {readFileSync} from "node:fs"
+import {existsSync, readFileSync} from "node:fs"
 import {describe, expect, test} from "vitest"
-import {german as de} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
-import {spanish as es} from "../../src/words/es/index.ts"
-import {french as fr} from "../../src/words/fr/index.ts"
-import {portuguese as pt} from "../../src/words/pt/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
+import {translations} from "../translations.ts"
 
 const docs = new URL("../../../docs/", import.meta.url)
 
@@ -40,13 +37,14 @@ const namesIn = (page: string) =>
     ([, name = ""]) => name,
   )
 
-describe.each([
+const classPages: readonly (readonly [page: string, words: object])[] = [
   ["class.md", en],
-  ["de/class.md", de],
-  ["es/class.md", es],
-  ["fr/class.md", fr],
-  ["pt/class.md", pt],
-])("%s", (page, words) => {
+  ...translations
+    .map(table => [`${table.tag}/class.md`, table] as const)
+    .filter(([file]) => existsSync(new URL(file, docs))),
+]
+
+describe.each(classPages)("%s", (page, words) => {
   const names = namesIn(page)
   test.each([...new Set(names)])("the name *%s* is on a page", name => {
     expect(sentences(words).map(plain)).toContain(plain(name))

@@ -5,15 +5,11 @@ import {robot} from "@rosy/codegen/robot"
 import {describe, expect, test} from "vitest"
 import {cardOf} from "../../plugins/guide/card_block.ts"
 import {quoted, readCurricula} from "../../plugins/guide/curricula_page.ts"
+import {tags} from "../../plugins/guide/language_tables.ts"
 import {readLessons} from "../../plugins/guide/lesson_source.ts"
 import {madeFile, madePages, madeText} from "../../plugins/guide/made_pages.ts"
 import {convertMarkdown} from "../../plugins/guide/markdown.ts"
-import {
-  seenSentence,
-  teachingLanguages,
-  teachingWords,
-  worksheetWords,
-} from "../../plugins/guide/teaching_words.ts"
+import {seenSentence, teachingWords, worksheetWords} from "../../plugins/guide/teaching_words.ts"
 import {readKey} from "../../plugins/guide/written_test_page.ts"
 
 const root = fileURLToPath(new URL("../../..", import.meta.url))
@@ -48,7 +44,7 @@ test("a curriculum asks for lessons that exist, and each lesson is asked for", (
   expect([...new Set(asked)].sort()).toEqual(lessons.map(lesson => lesson.name).sort())
 })
 
-describe.each(teachingLanguages)("in %s", language => {
+describe.each(tags)("in %s", language => {
   test("the words know the lessons, and no others", () => {
     expect(Object.keys(teachingWords(language).lessons).sort()).toEqual(lessons.map(one => one.name).sort())
   })

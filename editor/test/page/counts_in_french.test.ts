@@ -1,7 +1,7 @@
 /// Sentences with counts in French: 0 and 1 take the singular, the rest the plural.
 
 import {expect, test} from "vitest"
-import {french} from "../../src/words/fr/index.ts"
+import {table as french} from "../../../languages/fr/page/index.ts"
 
 const {page} = french
 

@@ -1,17 +1,17 @@
 /// What the page says about a preview: where the robot would be, how often it would touch something, which goals it would reach.
 
 import {describe, expect, it} from "vitest"
+import {table as german} from "../../../languages/de/page/index.ts"
+import {table as spanish} from "../../../languages/es/page/index.ts"
+import {table as french} from "../../../languages/fr/page/index.ts"
+import {table as portuguese} from "../../../languages/pt/page/index.ts"
 import {compare} from "../../src/features/preview/comparison.ts"
 import {previewSentence} from "../../src/features/preview/sentence.ts"
 import type {Frame} from "../../src/state/messages/messages.ts"
 import type {Preview} from "../../src/state/messages/preview.ts"
 import {record} from "../../src/state/runs/recording.ts"
 import {emptyRoom, type RoomState} from "../../src/state/runs/room_state.ts"
-import {german} from "../../src/words/de/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {measures, words} from "../../src/words/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
 
 const frame = (time: number, x: number): Frame => ({
   run: 1,

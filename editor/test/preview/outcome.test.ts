@@ -1,15 +1,15 @@
 /// Outcomes of previews: what they tell of a path, the sentences about them, and which fixes are offered in which order.
 
 import {describe, expect, it} from "vitest"
+import {table as german} from "../../../languages/de/page/index.ts"
+import {table as spanish} from "../../../languages/es/page/index.ts"
+import {table as french} from "../../../languages/fr/page/index.ts"
+import {table as portuguese} from "../../../languages/pt/page/index.ts"
 import {decideOrder, type KnownOutcome, orderedFixes} from "../../src/features/preview/fix_order.ts"
 import {isBetter, type Outcome, outcomeOf} from "../../src/features/preview/outcome.ts"
 import {outcomeSentence} from "../../src/features/preview/outcome_sentence.ts"
 import type {PathPoint, Preview} from "../../src/state/messages/preview.ts"
-import {german} from "../../src/words/de/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {measures, words} from "../../src/words/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
 
 type Points = readonly (readonly [time: number, x: number, y: number])[]
 

@@ -1,12 +1,12 @@
 /// A real robot and the simulated one beside it: what differed, and the sentence about it.
 
 import {describe, expect, it} from "vitest"
+import {table as german} from "../../../languages/de/page/index.ts"
+import {table as french} from "../../../languages/fr/page/index.ts"
 import {differences, isSame} from "../../src/features/runs/differences.ts"
 import {twinSentence} from "../../src/features/runs/twin_sentence.ts"
 import type {Channels} from "../../src/state/runs/channels.ts"
 import {emptyRecording, type Recording, record} from "../../src/state/runs/recording.ts"
-import {german} from "../../src/words/de/index.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {measures, words} from "../../src/words/index.ts"
 
 interface Drive {

@@ -1,6 +1,7 @@
 /// Two runs in one picture: what is drawn of the other one, and both curves of a chart in the same scale.
 
 import {describe, expect, it} from "vitest"
+import {table as french} from "../../../languages/fr/page/index.ts"
 import {changeSentence} from "../../src/features/runs/change_sentence.ts"
 import {factsOf, picturePath} from "../../src/features/runs/run_facts.ts"
 import {openCurves, unitedWindow, windowOf, withSameScale} from "../../src/page/panels/chart_data.ts"
@@ -9,7 +10,6 @@ import {addFrame, clearRoom, emptyRoom, type RoomState} from "../../src/state/ru
 import {beginRun, compareWith, noRuns} from "../../src/state/runs/run_tree.ts"
 import {quantities} from "../../src/values/quantities.ts"
 import {overlayOf} from "../../src/views/room/overlay.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {words} from "../../src/words/index.ts"
 
 /// A run of so many seconds along the x axis, with a frame for each.

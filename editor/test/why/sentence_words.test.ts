@@ -2,14 +2,14 @@
 
 import {readFileSync} from "node:fs"
 import {describe, expect, it} from "vitest"
+import {table as german} from "../../../languages/de/page/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
+import {table as spanish} from "../../../languages/es/page/index.ts"
+import {table as portuguese} from "../../../languages/pt/page/index.ts"
 import {asText, pieces, shortFractions} from "../../src/values/sentence_words.ts"
 import {sentence} from "../../src/wire/explanation.generated.ts"
-import {german} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
 import {measuresOf} from "../../src/words/number_formats.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
+import {translations} from "../translations.ts"
 
 const golden = new URL("../../../protocol/goldens/explanations.jsonl", import.meta.url)
 const lines = readFileSync(golden, "utf8")
@@ -35,7 +35,7 @@ describe("a sentence of an explanation", () => {
     expect(shown).toContainEqual({kind: "cause", text: "bump", firing: 1})
   })
 
-  it.each([german, portuguese, spanish, french])("has no empty place in $tag", table => {
+  it.each(translations)("has no empty place in $tag", table => {
     for (const line of lines) {
       const text = asText(pieces(sentence(line.said, ""), table.page.why, table.measures))
       expect(text).not.toMatch(/%\{|``|\*\*\*\*|undefined| {2}/)

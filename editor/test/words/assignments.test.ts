@@ -2,16 +2,16 @@
 
 import {readFileSync} from "node:fs"
 import {expect, test} from "vitest"
-import {classroom as de} from "../../src/words/de/classroom.ts"
-import {diagram as deDiagram} from "../../src/words/de/diagram.ts"
-import {classroom as en} from "../../src/words/en/classroom.ts"
-import {diagram as enDiagram} from "../../src/words/en/diagram.ts"
-import {classroom as es} from "../../src/words/es/classroom.ts"
-import {diagram as esDiagram} from "../../src/words/es/diagram.ts"
-import {classroom as fr} from "../../src/words/fr/classroom.ts"
-import {diagram as frDiagram} from "../../src/words/fr/diagram.ts"
-import {classroom as pt} from "../../src/words/pt/classroom.ts"
-import {diagram as ptDiagram} from "../../src/words/pt/diagram.ts"
+import {classroom as de} from "../../../languages/de/page/classroom.ts"
+import {diagram as deDiagram} from "../../../languages/de/page/diagram.ts"
+import {classroom as en} from "../../../languages/en/page/classroom.ts"
+import {diagram as enDiagram} from "../../../languages/en/page/diagram.ts"
+import {classroom as es} from "../../../languages/es/page/classroom.ts"
+import {diagram as esDiagram} from "../../../languages/es/page/diagram.ts"
+import {classroom as fr} from "../../../languages/fr/page/classroom.ts"
+import {diagram as frDiagram} from "../../../languages/fr/page/diagram.ts"
+import {classroom as pt} from "../../../languages/pt/page/classroom.ts"
+import {diagram as ptDiagram} from "../../../languages/pt/page/diagram.ts"
 
 /// All texts of a table, also those with parts.
 function texts(table: unknown): readonly string[] {

@@ -1,7 +1,7 @@
 /// Sentences with counts in Spanish: 1 takes the singular, 0 and the rest the plural.
 
 import {expect, test} from "vitest"
-import {spanish} from "../../src/words/es/index.ts"
+import {table as spanish} from "../../../languages/es/page/index.ts"
 
 const {page, blocks, measures} = spanish
 

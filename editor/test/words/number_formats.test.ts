@@ -1,10 +1,10 @@
 /// Numbers and counted things in each language.
 
 import {expect, test} from "vitest"
-import {german} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
+import {table as german} from "../../../languages/de/page/index.ts"
+import {en} from "../../../languages/en/page/index.ts"
+import {table as portuguese} from "../../../languages/pt/page/index.ts"
 import {measuresOf} from "../../src/words/number_formats.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
 
 test.each([
   ["en", en.blocks, ["0 blocks found", "1 block found", "2 blocks found"]],

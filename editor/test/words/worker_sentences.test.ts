@@ -1,4 +1,4 @@
-/// The explained mistakes in every language: the worker's gallery, worded by the tables of protocol/sentences.
+/// The explained mistakes in every language: the worker's gallery, worded by the tables of `languages`.
 
 import {readdirSync, readFileSync} from "node:fs"
 import {afterEach, describe, expect, it} from "vitest"
@@ -20,7 +20,6 @@ import {
 } from "../../src/words/worker_sentences.ts"
 
 const gallery = new URL("../../../rosy-hs/test-worker/gallery/", import.meta.url)
-const tables = new URL("../../../protocol/sentences/", import.meta.url)
 
 /// Name and problems of each mistake.
 const mistakes: readonly (readonly [string, readonly Problem[]])[] = readdirSync(gallery, {
@@ -38,10 +37,13 @@ const mistakes: readonly (readonly [string, readonly Problem[]])[] = readdirSync
     return [name, said.value] as const
   })
 
-const languages = readdirSync(tables).map(file => {
-  const table = JSON.parse(readFileSync(new URL(file, tables), "utf8")) as SentenceTable
-  return [file.replace(".json", ""), formsOf(table)] as const
+const tables = import.meta.glob<SentenceTable>("../../../languages/*/sentences.json", {
+  import: "default",
+  eager: true,
 })
+const languages = Object.entries(tables).map(
+  ([path, table]) => [path.split("/").at(-2) ?? "", formsOf(table)] as const,
+)
 
 const sentencesOf = (p: Problem): readonly (Sentence | null)[] => [
   p.sentences?.message ?? null,

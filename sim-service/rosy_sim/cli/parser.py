@@ -1,4 +1,4 @@
-"""Options of all commands. `scripts/help` says what they are for."""
+"""Options of all commands. `languages/en/help` says what they are for."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ __all__ = ["options_parser"]
 
 
 class Parser(argparse.ArgumentParser):
-    """One sentence instead of a page of usage; `scripts/help` has that."""
+    """One sentence instead of a page of usage; `languages/en/help` has that."""
 
     def error(self, message: str) -> NoReturn:
         raise BadInput(

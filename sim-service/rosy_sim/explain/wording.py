@@ -1,7 +1,7 @@
 """
 Sentences of explanations as translatable sentences. Names of functions are in ``**``, values and types in backquotes.
 
-``protocol/sentences`` has them in other languages. The page has tables of its own (``editor/src/words``), in which
+``languages`` has them in other languages. The page has tables of its own (``editor/src/words``), in which
 names and values can be pressed; ``protocol/goldens/explanations.jsonl`` holds the English of both together.
 """
 
@@ -11,7 +11,7 @@ import re
 from collections.abc import Callable, Sequence
 from decimal import ROUND_HALF_UP, Decimal
 
-from ..sentences.sentence import Argument, tr
+from ..sentences.sentence import PLACEHOLDER, Argument, template, tr
 from ..sentences.sentence import Sentence as Words
 from ..wire.explanation import Sentence, SentenceId
 from ..wire.firing import Given
@@ -46,7 +46,8 @@ _HAPPENED: dict[tuple[str, str], Callable[[Words], Words]] = {
 
 def words_of(sentence: Sentence, decimal_mark: str = ".") -> Words:
     """A sentence to be put into words; numbers have this decimal mark."""
-    return _SENTENCES[sentence.id](_Slots(sentence, decimal_mark))
+    text, slots = _TEMPLATES[sentence.id], _Slots(sentence, decimal_mark)
+    return Words(text, {name: getattr(slots, name) for _, name in PLACEHOLDER.findall(text)})
 
 
 def english(sentence: Sentence) -> str:
@@ -122,6 +123,9 @@ def _one(kind: str) -> Words:
 
 class _Slots:
     """What the placeholders of a sentence stand for."""
+
+    Done = "`Done`"
+    simulate = "`simulate`"
 
     def __init__(self, said: Sentence, decimal_mark: str) -> None:
         self._said = said
@@ -220,254 +224,85 @@ class _Slots:
         return self._said.limit or 0.0
 
 
-_SENTENCES: dict[SentenceId, Callable[[_Slots], Words]] = {
-    "sent": lambda s: tr(
-        "At {time} {function} sent {value}{inputs}.", time=s.time, function=s.function, value=s.value, inputs=s.inputs
+_TEMPLATES: dict[SentenceId, str] = {
+    "sent": template("At {time} {function} sent {value}{inputs}."),
+    "stopped": template(
+        "At {time} the robot was told {value}, because the task that had set it in motion was stopped."
     ),
-    "stopped": lambda s: tr(
-        "At {time} the robot was told {value}, because the task that had set it in motion was stopped.",
-        time=s.time,
-        value=s.value,
+    "stopped-by": template("At {time} the robot was told {value}, because {other} ended its task with {Done}."),
+    "sensed": template("At {time} {happened}."),
+    "nothing-ran": template("No function ran because of that."),
+    "first-value": template("{type} was {value}, its first value: no function had written it."),
+    "old-value": template("{type} was {value} for a long time."),
+    "not-written": template("No function had written {type}: it has its first value."),
+    "from-start": template("{type} was {value} from the start: what was remembered since then was the same."),
+    "remembered": template("{type} was {value} since {since}: {other} remembered it."),
+    "had-come": template("{value} had come at {since}."),
+    "ran-message": template("{function} ran at {time} because {happened}."),
+    "ran-tick": template("{function} ran at {time} because it runs ten times a second."),
+    "ran-start": template("{function} ran at {time} because the program began."),
+    "ran-wait": template("{function} ran at {time} because a wait was over."),
+    "ran-end": template("{function} ran at {time} because the program ended."),
+    "ran-unknown": template("{function} ran at {time} because of something that happened before the record begins."),
+    "ran-event": template("{function} ran at {time} because {other} sent {value}."),
+    "ran-done": template("{function} ran at {time} because {other} ended its task with {Done} at {since}."),
+    "ran-call": template("{function} ran at {time} because {other} called a task at {since}."),
+    "ran-feedback": template("{function} ran at {time} because {other} gave {value} as feedback at {since}."),
+    "ran-task": template("{function} ran at {time} because {other} had run at {since}, and its task went on."),
+    "nothing-sent": template("No {command} was sent at {time}."),
+    "none-came": template("No {type} had come by {until}."),
+    "nothing-sent-yet": template("The program has sent no {command}."),
+    "not-recorded": template("The run was not recorded, because many programs were running. Run it again."),
+    "not-known-before": template("What happened before {since} is not known any more."),
+    "run-over": template("The run had ended at {time}."),
+    "run-not-begun": template("The run had not begun."),
+    "did-run": template("{function} did run, at {time}{inputs}."),
+    "did-send": template("{function} did send {value}, at {time}."),
+    "did-take": template("{function} did take this case, at {time}{inputs}."),
+    "not-reached": template("Between {since} and {until} no function came to this choice in {function}."),
+    "not-part": template("{function} is not part of {simulate}."),
+    "task-ended": template("The task of {function} had ended at {time}: {other} gave {Done}."),
+    "task-waits": template("{function} belongs to a task that had not begun by {until}."),
+    "runs-once": template("{function} runs once, when its task begins. That was at {time}."),
+    "lacks": template("{function} takes {types}; none came between {since} and {until}. {earlier}"),
+    "ticks": template("{function} runs ten times a second: it ran at {time}, and then again at {until}."),
+    "ran-before": template(
+        "{function} ran at {time}, and not between {since} and {until}; the record does not tell why."
     ),
-    "stopped-by": lambda s: tr(
-        "At {time} the robot was told {value}, because {other} ended its task with {Done}.",
-        time=s.time,
-        value=s.value,
-        other=s.other,
-        Done="`Done`",
+    "never-ran": template("{function} has not run between {since} and {until}; the record does not tell why."),
+    "gave": template("At {time} {function} ran{inputs} and gave {outputs}."),
+    "matched-equation": template("Equation {number} of {function} matched: {value}."),
+    "matched-case": template("In {function} case {number} matched: {value}."),
+    "guard-held": template("In {function} the guard {value} held."),
+    "was-true": template("In {function} {value} was true."),
+    "was-false": template("In {function} {value} was not true."),
+    "other-type": template("{function} never sends {one}: it gives {types}."),
+    "in-force": template("{value} has been in force since {time}."),
+    "replaced": template("It was sent at {time}, and {other} replaced it with {value} {gap}."),
+    "replaced-by-stop": template(
+        "It was sent at {time}, and at {since} the robot was told {value}, because the task that had set it in motion was stopped."  # noqa: E501
     ),
-    "sensed": lambda s: tr("At {time} {happened}.", time=s.time, happened=s.happened),
-    "nothing-ran": lambda _: tr("No function ran because of that."),
-    "first-value": lambda s: tr(
-        "{type} was {value}, its first value: no function had written it.", type=s.type, value=s.value
+    "replaced-by-end": template(
+        "It was sent at {time}, and at {since} the robot was told {value}, because {other} ended its task with {Done}."
     ),
-    "old-value": lambda s: tr("{type} was {value} for a long time.", type=s.type, value=s.value),
-    "not-written": lambda s: tr("No function had written {type}: it has its first value.", type=s.type),
-    "from-start": lambda s: tr(
-        "{type} was {value} from the start: what was remembered since then was the same.", type=s.type, value=s.value
+    "beyond-speed": template("{value} asks for {asked} m/s; the robot's limit is {limit} m/s."),
+    "beyond-turn": template("{value} asks for {asked} rad/s; the robot's limit is {limit} rad/s."),
+    "overridden": template("The safety rules drove the robot from {since} on, and not {value}."),
+    "in-the-air": template("It could not drive: {happened} at {time}, and has not found it again."),
+    "in-the-way": template("Something is in its way: {happened} at {time}, and has not been released."),
+    "followed": template("From {since} to {until} the robot followed {value} from {other}."),
+    "followed-changes": template(
+        "From {since} to {until} the robot followed commands from {other} between {first} and {last}."
     ),
-    "remembered": lambda s: tr(
-        "{type} was {value} since {since}: {other} remembered it.",
-        type=s.type,
-        value=s.value,
-        since=s.since,
-        other=s.other,
-    ),
-    "had-come": lambda s: tr("{value} had come at {since}.", value=s.value, since=s.since),
-    "ran-message": lambda s: tr(
-        "{function} ran at {time} because {happened}.", function=s.function, time=s.time, happened=s.happened
-    ),
-    "ran-tick": lambda s: tr(
-        "{function} ran at {time} because it runs ten times a second.", function=s.function, time=s.time
-    ),
-    "ran-start": lambda s: tr("{function} ran at {time} because the program began.", function=s.function, time=s.time),
-    "ran-wait": lambda s: tr("{function} ran at {time} because a wait was over.", function=s.function, time=s.time),
-    "ran-end": lambda s: tr("{function} ran at {time} because the program ended.", function=s.function, time=s.time),
-    "ran-unknown": lambda s: tr(
-        "{function} ran at {time} because of something that happened before the record begins.",
-        function=s.function,
-        time=s.time,
-    ),
-    "ran-event": lambda s: tr(
-        "{function} ran at {time} because {other} sent {value}.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        value=s.value,
-    ),
-    "ran-done": lambda s: tr(
-        "{function} ran at {time} because {other} ended its task with {Done} at {since}.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        Done="`Done`",
-        since=s.since,
-    ),
-    "ran-call": lambda s: tr(
-        "{function} ran at {time} because {other} called a task at {since}.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        since=s.since,
-    ),
-    "ran-feedback": lambda s: tr(
-        "{function} ran at {time} because {other} gave {value} as feedback at {since}.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        value=s.value,
-        since=s.since,
-    ),
-    "ran-task": lambda s: tr(
-        "{function} ran at {time} because {other} had run at {since}, and its task went on.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        since=s.since,
-    ),
-    "nothing-sent": lambda s: tr("No {command} was sent at {time}.", command=s.command, time=s.time),
-    "none-came": lambda s: tr("No {type} had come by {until}.", type=s.type, until=s.until),
-    "nothing-sent-yet": lambda s: tr("The program has sent no {command}.", command=s.command),
-    "not-recorded": lambda _: tr("The run was not recorded, because many programs were running. Run it again."),
-    "not-known-before": lambda s: tr("What happened before {since} is not known any more.", since=s.since),
-    "run-over": lambda s: tr("The run had ended at {time}.", time=s.time),
-    "run-not-begun": lambda _: tr("The run had not begun."),
-    "did-run": lambda s: tr(
-        "{function} did run, at {time}{inputs}.", function=s.function, time=s.time, inputs=s.inputs
-    ),
-    "did-send": lambda s: tr(
-        "{function} did send {value}, at {time}.", function=s.function, value=s.value, time=s.time
-    ),
-    "did-take": lambda s: tr(
-        "{function} did take this case, at {time}{inputs}.", function=s.function, time=s.time, inputs=s.inputs
-    ),
-    "not-reached": lambda s: tr(
-        "Between {since} and {until} no function came to this choice in {function}.",
-        since=s.since,
-        until=s.until,
-        function=s.function,
-    ),
-    "not-part": lambda s: tr("{function} is not part of {simulate}.", function=s.function, simulate="`simulate`"),
-    "task-ended": lambda s: tr(
-        "The task of {function} had ended at {time}: {other} gave {Done}.",
-        function=s.function,
-        time=s.time,
-        other=s.other,
-        Done="`Done`",
-    ),
-    "task-waits": lambda s: tr(
-        "{function} belongs to a task that had not begun by {until}.", function=s.function, until=s.until
-    ),
-    "runs-once": lambda s: tr(
-        "{function} runs once, when its task begins. That was at {time}.", function=s.function, time=s.time
-    ),
-    "lacks": lambda s: tr(
-        "{function} takes {types}; none came between {since} and {until}. {earlier}",
-        function=s.function,
-        types=s.types,
-        since=s.since,
-        until=s.until,
-        earlier=s.earlier,
-    ),
-    "ticks": lambda s: tr(
-        "{function} runs ten times a second: it ran at {time}, and then again at {until}.",
-        function=s.function,
-        time=s.time,
-        until=s.until,
-    ),
-    "ran-before": lambda s: tr(
-        "{function} ran at {time}, and not between {since} and {until}; the record does not tell why.",
-        function=s.function,
-        time=s.time,
-        since=s.since,
-        until=s.until,
-    ),
-    "never-ran": lambda s: tr(
-        "{function} has not run between {since} and {until}; the record does not tell why.",
-        function=s.function,
-        since=s.since,
-        until=s.until,
-    ),
-    "gave": lambda s: tr(
-        "At {time} {function} ran{inputs} and gave {outputs}.",
-        time=s.time,
-        function=s.function,
-        inputs=s.inputs,
-        outputs=s.outputs,
-    ),
-    "matched-equation": lambda s: tr(
-        "Equation {number} of {function} matched: {value}.", number=s.number, function=s.function, value=s.value
-    ),
-    "matched-case": lambda s: tr(
-        "In {function} case {number} matched: {value}.", function=s.function, number=s.number, value=s.value
-    ),
-    "guard-held": lambda s: tr("In {function} the guard {value} held.", function=s.function, value=s.value),
-    "was-true": lambda s: tr("In {function} {value} was true.", function=s.function, value=s.value),
-    "was-false": lambda s: tr("In {function} {value} was not true.", function=s.function, value=s.value),
-    "other-type": lambda s: tr(
-        "{function} never sends {one}: it gives {types}.", function=s.function, one=s.one, types=s.types
-    ),
-    "in-force": lambda s: tr("{value} has been in force since {time}.", value=s.value, time=s.time),
-    "replaced": lambda s: tr(
-        "It was sent at {time}, and {other} replaced it with {value} {gap}.",
-        time=s.time,
-        other=s.other,
-        value=s.value,
-        gap=s.gap,
-    ),
-    "replaced-by-stop": lambda s: tr(
-        "It was sent at {time}, and at {since} the robot was told {value}, because the task that had set it in motion was stopped.",  # noqa: E501
-        time=s.time,
-        since=s.since,
-        value=s.value,
-    ),
-    "replaced-by-end": lambda s: tr(
-        "It was sent at {time}, and at {since} the robot was told {value}, because {other} ended its task with {Done}.",
-        time=s.time,
-        since=s.since,
-        value=s.value,
-        other=s.other,
-        Done="`Done`",
-    ),
-    "beyond-speed": lambda s: tr(
-        "{value} asks for {asked} m/s; the robot's limit is {limit} m/s.", value=s.value, asked=s.asked, limit=s.limit
-    ),
-    "beyond-turn": lambda s: tr(
-        "{value} asks for {asked} rad/s; the robot's limit is {limit} rad/s.",
-        value=s.value,
-        asked=s.asked,
-        limit=s.limit,
-    ),
-    "overridden": lambda s: tr(
-        "The safety rules drove the robot from {since} on, and not {value}.", since=s.since, value=s.value
-    ),
-    "in-the-air": lambda s: tr(
-        "It could not drive: {happened} at {time}, and has not found it again.", happened=s.happened, time=s.time
-    ),
-    "in-the-way": lambda s: tr(
-        "Something is in its way: {happened} at {time}, and has not been released.", happened=s.happened, time=s.time
-    ),
-    "followed": lambda s: tr(
-        "From {since} to {until} the robot followed {value} from {other}.",
-        since=s.since,
-        until=s.until,
-        value=s.value,
-        other=s.other,
-    ),
-    "followed-changes": lambda s: tr(
-        "From {since} to {until} the robot followed commands from {other} between {first} and {last}.",
-        since=s.since,
-        until=s.until,
-        other=s.other,
-        first=s.first,
-        last=s.last,
-    ),
-    "stood": lambda s: tr("From {since} to {until} the robot was told to stand still.", since=s.since, until=s.until),
-    "followed-others": lambda s: tr("Before {since} it followed other commands.", since=s.since),
-    "placed": lambda s: tr("At {time} a hand put the robot in another place.", time=s.time),
-    "not-moved": lambda s: tr(
-        "The robot is where it began: no {type} had moved it before {time}.", type=s.type, time=s.time
-    ),
-    "no-sender": lambda s: tr("No function sends {one}.", one=s.one),
-    "never-sent": lambda s: tr(
-        "No {type} was sent between {since} and {until}: {functions} did not give one.",
-        type=s.type,
-        since=s.since,
-        until=s.until,
-        functions=s.functions,
-    ),
-    "no-taker": lambda s: tr(
-        "{function} sent {one} at {time}, and no function takes it.", function=s.function, one=s.one, time=s.time
-    ),
-    "received": lambda s: tr("{function} did receive {one}, at {time}.", function=s.function, one=s.one, time=s.time),
-    "taker-ended": lambda s: tr(
-        "The first {type} came at {time}, and the task of {functions} had ended at {since}.",
-        type=s.type,
-        time=s.time,
-        functions=s.functions,
-        since=s.since,
-    ),
-    "taker-silent": lambda s: tr(
-        "At {time} {one} was sent, and {functions} did not run with it.", time=s.time, one=s.one, functions=s.functions
-    ),
+    "stood": template("From {since} to {until} the robot was told to stand still."),
+    "followed-others": template("Before {since} it followed other commands."),
+    "placed": template("At {time} a hand put the robot in another place."),
+    "not-moved": template("The robot is where it began: no {type} had moved it before {time}."),
+    "no-sender": template("No function sends {one}."),
+    "never-sent": template("No {type} was sent between {since} and {until}: {functions} did not give one."),
+    "no-taker": template("{function} sent {one} at {time}, and no function takes it."),
+    "received": template("{function} did receive {one}, at {time}."),
+    "taker-ended": template("The first {type} came at {time}, and the task of {functions} had ended at {since}."),
+    "taker-silent": template("At {time} {one} was sent, and {functions} did not run with it."),
 }
+"""Each placeholder is an attribute of ``_Slots``."""

@@ -2,7 +2,7 @@
 Translatable sentences: an English template with named arguments, and its text in English.
 
 The template is the id of a sentence, as in gettext: English stands where the sentence is made, other languages in
-``protocol/sentences``, one table each (protocol/README.md, section 1.1). ``scripts/sentences.py`` reads the templates
+``languages``, one table each (protocol/README.md, section 1.1). ``scripts/sentences.py`` reads the templates
 from the calls of ``tr``, which is why they are literals there.
 
 Only the standard library is imported: ``./rosy estop`` works before anything is installed.
@@ -25,6 +25,7 @@ __all__ = [
     "english",
     "fill",
     "sentence_of",
+    "template",
     "tr",
     "verbatim",
 ]
@@ -69,6 +70,11 @@ def tr(template: str, /, **arguments: Argument | os.PathLike[str] | BaseExceptio
     An exception stands for its own sentence, or its text when it has none.
     """
     return Sentence(template, {name: _argument(value) for name, value in arguments.items()})
+
+
+def template(text: str) -> str:
+    """A template in a table: attributes of one value are its arguments. ``scripts/sentences.py`` reads these calls."""
+    return text
 
 
 def verbatim(text: str) -> Sentence:

@@ -1,5 +1,5 @@
 """
-Sentences in the reader's language: a template and its arguments become a text, with a table of ``protocol/sentences``.
+Sentences in the reader's language: a template and its arguments become a text, with a table of ``languages``.
 
 The page words what it shows itself (``editor/src/words/worker_sentences.ts``); this is for terminals and other editors.
 English has no table. ``en-XA`` is English with accents, for tests: what still reads as English in it is no sentence of
@@ -22,6 +22,7 @@ from .sentence import PLACEHOLDER, Argument, Template, english, fill
 
 __all__ = [
     "ENGLISH",
+    "LANGUAGES",
     "PSEUDO",
     "Wording",
     "in_terminal",
@@ -34,7 +35,8 @@ __all__ = [
 PSEUDO = "en-XA"
 """English with accents, as Unicode's CLDR names the pseudo-locale."""
 
-_TABLES = Path(__file__).resolve().parents[3] / "protocol" / "sentences"
+LANGUAGES = Path(__file__).resolve().parents[3] / "languages"
+"""A folder for each language, named by its tag (languages/README.md)."""
 
 _LOCALE_VARIABLES = ("ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG")
 """
@@ -120,7 +122,7 @@ def wording(language: str) -> Wording:
     """The language of a table, the pseudo-language, or else English."""
     if language == PSEUDO:
         return Wording(PSEUDO, _with_accents, Forms("å ‘{type}’", "å ƒûñçţîöñ ‘{type}’", " öŕ ", ", ţĥéñ ", (), "."))
-    table = _TABLES / f"{language}.json"
+    table = LANGUAGES / language / "sentences.json"
     if re.fullmatch(r"[a-z]{2,3}", language) is None or not table.is_file():
         return ENGLISH
     read = json.loads(table.read_text("utf-8"))

@@ -19,8 +19,9 @@ from rosy_sim.classroom.store.class_store import (
     StoreFull,
 )
 from rosy_sim.classroom.store.database import SqliteDatabase, StoreError
-from rosy_sim.classroom.word_list import WORD_LISTS, draw_words, read_words
+from rosy_sim.classroom.word_list import draw_words, read_words, word_list
 from rosy_sim.errors import BadInput
+from rosy_sim.sentences.wording import LANGUAGES
 
 from .conftest import ADMISSION, Opens
 
@@ -190,9 +191,9 @@ def test_a_class_has_an_end(store: ClassStore, monkeypatch: pytest.MonkeyPatch) 
     assert store.join("Ben", lambda: "x y z", "t", 1.0) == StoreFull()
 
 
-@pytest.mark.parametrize("language", ["en", "de", "pt", "es", "fr"])
+@pytest.mark.parametrize("language", [file.parent.name for file in sorted(LANGUAGES.glob("*/pupil_words.txt"))])
 def test_words_are_short_distinct_and_typed_on_any_keyboard(language: str) -> None:
-    words = WORD_LISTS[language]
+    words = word_list(language)
     assert len(set(words)) == len(words) >= 250
     assert all(word.isascii() and word.isalpha() and word.islower() and 2 <= len(word) <= 10 for word in words)
     assert set(draw_words(f"{language}-CH").split()) <= set(words)

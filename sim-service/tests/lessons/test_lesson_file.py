@@ -18,7 +18,8 @@ from rosy_sim.lessons.lesson_file import read_lesson
 from rosy_sim.lessons.schema import document_schema, lesson_schema, schema_text
 
 FOLDER = discover().examples / "lessons"
-LANGUAGES = {"en", "de", "pt", "es", "fr"}
+TRANSLATED = {"en", "de", "pt", "es", "fr"}
+"""Every lesson is written in these; in another registered language it may be."""
 
 LESSON: dict[str, Any] = {
     "lesson": 1,
@@ -132,7 +133,7 @@ def test_the_lessons_of_the_repository_are_complete() -> None:
     found = lessons(FOLDER)
     assert [lesson.file.number for lesson in found] == list(range(1, len(found) + 1))
     for lesson in found:
-        assert set(lesson.texts) == LANGUAGES, lesson.name
+        assert set(lesson.texts) >= TRANSLATED, lesson.name
         assert len(lesson.file.other_rooms) >= 3, lesson.name
         for texts in lesson.texts.values():
             for step in texts.steps.values():

@@ -17,6 +17,7 @@ import pytest
 
 from rosy_sim.config import Limits
 from rosy_sim.rooms.trial_process import Answer, Request, Task, Trial
+from rosy_sim.sentences.wording import LANGUAGES
 from rosy_sim.worker.background_process import WorkerSetup
 from rosy_sim.worlds.gallery import load_world, usable_arena
 
@@ -60,7 +61,7 @@ def test_the_command_that_shows_a_failure_can_be_copied(environment: Environment
     assert (tmp_path / words[4]).is_file()
 
 
-@pytest.mark.parametrize("language", ["en", "de", "fr", "es", "pt", "en_XA"])
+@pytest.mark.parametrize("language", [*sorted(json.loads((LANGUAGES / "languages.json").read_text())), "en_XA"])
 def test_the_table_of_failures_has_columns_in_every_language(
     environment: Environment, program: Path, language: str
 ) -> None:

@@ -12,7 +12,7 @@ from ...robot_description import description
 from ...world.robot import Body, MotorLimits, ScannerModel
 from ...world.time_step import STEPS_PER_SECOND
 
-__all__ = ["CONTACT_GAP", "body_of", "limits_of", "numbers_of", "points_of", "scanner_of"]
+__all__ = ["CONTACT_GAP", "body_of", "limits_of", "numbers_of", "scanner_of"]
 
 CONTACT_GAP = 0.001
 """A thing nearer to the body than this touches it, m. Our choice: the travel of a bumper is a few millimetres, and the
@@ -22,11 +22,6 @@ physics keeps bodies apart to a tenth of one."""
 def numbers_of(robot: str) -> dict[str, Any]:
     """The numbers of its body by name, without units and sources."""
     return {name: entry["value"] for name, entry in description(robot)["body"].items()}
-
-
-def points_of(robot: str, name: str) -> tuple[tuple[float, float], ...]:
-    """Places in the robot's frame, m."""
-    return tuple((float(x), float(y)) for x, y in numbers_of(robot)[name])
 
 
 def body_of(robot: str) -> Body:

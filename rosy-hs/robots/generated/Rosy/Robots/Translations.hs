@@ -1,6 +1,6 @@
 -- |
 -- Module      : Rosy.Robots.Translations
--- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from protocol/sentences.
+-- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages.
 module Rosy.Robots.Translations
   ( tables,
   )
