@@ -11,7 +11,7 @@ import {chooseSentences, formsOf, type SentenceForms, type SentenceTable} from "
 export const languages = {
   en: "English",
   de: "Deutsch",
-  pt: "Português",
+  pt: "Português (Brasil)",
   es: "Español",
   fr: "Français",
 } as const
