@@ -3,7 +3,7 @@
 import {readdirSync, readFileSync} from "node:fs"
 import {expect, test} from "vitest"
 import {german} from "../../src/words/de/index.ts"
-import {en} from "../../src/words/en/index.ts"
+import type {en} from "../../src/words/en/index.ts"
 import {spanish} from "../../src/words/es/index.ts"
 import {french} from "../../src/words/fr/index.ts"
 import {portuguese} from "../../src/words/pt/index.ts"
@@ -27,7 +27,8 @@ const named: readonly (readonly [RegExp, (page: typeof en) => string])[] = [
 function* pairs(one: unknown, other: unknown): Generator<readonly [string, string]> {
   if (typeof one === "string") yield [one, String(other)]
   else if (typeof one === "object" && one !== null)
-    for (const [key, value] of Object.entries(one)) yield* pairs(value, (other as Record<string, unknown>)?.[key])
+    for (const [key, value] of Object.entries(one))
+      yield* pairs(value, (other as Record<string, unknown>)?.[key])
 }
 
 const read = (name: string, tag: string): unknown =>
@@ -47,7 +48,8 @@ test.each([
         if (!pattern.test(english)) continue
         count += 1
         const label = labelOf(page as typeof en)
-        if (!text.toLowerCase().includes(label.toLowerCase())) otherwise.push(`${name}: “${text}” without “${label}”`)
+        if (!text.toLowerCase().includes(label.toLowerCase()))
+          otherwise.push(`${name}: “${text}” without “${label}”`)
       }
   expect(count).toBeGreaterThan(30)
   expect(otherwise).toEqual([])

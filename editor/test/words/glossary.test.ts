@@ -32,7 +32,12 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
   ],
   fr: [
     {idea: "teacher, for pupils", word: "prof", not: /professeur/, files: /classroom\.ts$/},
-    {idea: "command to the robot", word: "ordre", not: /[Cc]ommande/, files: /(lesson_editor|why|page|diagram)\.ts$/},
+    {
+      idea: "command to the robot",
+      word: "ordre",
+      not: /[Cc]ommande/,
+      files: /(lesson_editor|why|page|diagram)\.ts$/,
+    },
     {idea: "run", word: "exécution", not: /trajet|les deux essais/, files: lessons},
     {idea: "empty place", word: "emplacement vide", not: /place vide/},
     {idea: "sensor", word: "capteur", not: /deux sens\b/},
@@ -43,9 +48,24 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
   es: [
     {idea: "computer", word: "ordenador", not: /computador/},
     {idea: "teacher, for pupils", word: "profe", not: /[Tt]u profesor/},
-    {idea: "command to the robot", word: "comando", not: /[Óó]rdenes|[Uu]na orden\b/, files: /(lesson_editor|why|page|diagram)\.ts$/},
-    {idea: "what a function takes", word: "acepta", not: /(función|que|no|Una|Esto) tom[ae]n?\b(?! (su|este))/, files: /^(docs|protocol|examples)/},
-    {idea: "goal of a room", word: "objetivo", not: /\b[Mm]eta\b/, files: /(room_tests|lessons|classroom)\.ts$/},
+    {
+      idea: "command to the robot",
+      word: "comando",
+      not: /[Óó]rdenes|[Uu]na orden\b/,
+      files: /(lesson_editor|why|page|diagram)\.ts$/,
+    },
+    {
+      idea: "what a function takes",
+      word: "acepta",
+      not: /(función|que|no|Una|Esto) tom[ae]n?\b(?! (su|este))/,
+      files: /^(docs|protocol|examples)/,
+    },
+    {
+      idea: "goal of a room",
+      word: "objetivo",
+      not: /\b[Mm]eta\b/,
+      files: /(room_tests|lessons|classroom)\.ts$/,
+    },
     {idea: "sensor", word: "sensor", not: /dos sentidos/},
     {idea: "Memory", word: "un Memory", not: /una [`‘]?Memory/},
     {idea: "hole in the floor", word: "agujero", not: /un choque y un hueco/},
@@ -56,8 +76,18 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
     {idea: "words of Portugal", word: "arquivo, tela, usuário", not: /ficheiro|ecrã|utilizador|telemóvel/},
     {idea: "tick", word: "ciclo", not: /batidas? do relógio/},
     {idea: "Memory and Velocity", word: "uma Memory, uma Velocity", not: /\bum [`‘]?(Memory|Velocity)/},
-    {idea: "goal of a room", word: "meta", not: /[Oo]bjetivo/, files: /(words\/pt\/\w+\.ts|sentences\/pt\.json)$/},
-    {idea: "to turn", word: "girar", not: /\b([Vv]ire|[Vv]ira|virada)\b/, files: /(blocks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/},
+    {
+      idea: "goal of a room",
+      word: "meta",
+      not: /[Oo]bjetivo/,
+      files: /(words\/pt\/\w+\.ts|sentences\/pt\.json)$/,
+    },
+    {
+      idea: "to turn",
+      word: "girar",
+      not: /\b([Vv]ire|[Vv]ira|virada)\b/,
+      files: /(blocks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/,
+    },
     {idea: "pressed bumper", word: "pressionado", not: /apertado/, files: /^(docs|editor|examples)/},
     {idea: "to run a program", word: "executar", not: /não roda\b|Rodar|programa rod/},
     {idea: "sensor", word: "sensor", not: /dois sentidos/},
@@ -82,9 +112,15 @@ const french = translatedTexts("fr").filter(({file}) => !file.startsWith("script
 
 test.each([
   ["’ between letters", /\p{L}'\p{L}/u],
-  ["a narrow space that does not break before ; ? » and after «", /\p{L}[ \u00A0]?[;?»](?= \p{L}|["`]|$)|«[^\u202F]/u],
+  [
+    "a narrow space that does not break before ; ? » and after «",
+    /\p{L}[ \u00A0]?[;?»](?= \p{L}|["`]|$)|«[^\u202F]/u,
+  ],
   ["a narrow space that does not break before !", /\p{L}[ \u00A0]!(?!\[)/u],
-  ["a space that does not break before :, which is no operator of Haskell", /\p{L}[ \u202F]:(?= (?!xs|others)\p{L}{2})/u],
+  [
+    "a space that does not break before :, which is no operator of Haskell",
+    /\p{L}[ \u202F]:(?= (?!xs|others)\p{L}{2})/u,
+  ],
 ])("French has %s", (_, wrong) => {
   const wrongs = french.filter(({text}) => wrong.test(text.replaceAll(/`[^`\n]*`(?=[^{]*$)/g, "`")))
   expect(wrongs).toEqual([])

@@ -56,8 +56,10 @@ export const diagram: Words["diagram"] = {
     make: "Conectar",
     cancel: "Cancelar",
     misfits: {
-      "starts-at-command": "Un actuador acepta valores y no da ninguno. Empieza en un sensor o en una función.",
-      "ends-at-sensor": "Un sensor da valores y no acepta ninguno. Arrástralo sobre un actuador o una función.",
+      "starts-at-command":
+        "Un actuador acepta valores y no da ninguno. Empieza en un sensor o en una función.",
+      "ends-at-sensor":
+        "Un sensor da valores y no acepta ninguno. Arrástralo sobre un actuador o una función.",
       "not-here": "Estos dos no se pueden conectar aquí.",
     },
     steps: "Pasos",
