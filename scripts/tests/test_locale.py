@@ -56,7 +56,7 @@ def test_an_unknown_command_is_refused_in_german(tmp_path: Path) -> None:
 @pytest.mark.parametrize(("variable", "value"), [("LANG", "fr_FR.UTF-8"), ("LC_MESSAGES", "fr_CA"), ("ROSY_LOCALE", "fr")])
 def test_the_variables_of_the_locale_name_the_language(tmp_path: Path, variable: str, value: str) -> None:
     done = machine(tmp_path).rosy("frobnicate", env={"LC_ALL": "", variable: value})
-    assert "il n'y a pas de commande" in done.stderr
+    assert "il n’y a pas de commande" in done.stderr
 
 
 def test_nothing_that_set_up_says_bypasses_the_tables(bare: Machine) -> None:

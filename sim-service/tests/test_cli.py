@@ -144,7 +144,7 @@ def test_explain_speaks_the_language_of_the_terminal(environment: dict[str, str]
     (tmp_path / "p.hs").write_text("tell")
     done = rosy({**environment, "LC_ALL": "de_DE.UTF-8"}, "run", tmp_path / "p.hs", "--seconds", 1, "--explain")
     assert done.stdout.splitlines()[:-1] == [
-        "Bei 0,98 s schickte f `Velocity 0.5 0.0` für `Seconds 49`.",
+        "Bei 0,98 s sendete f `Velocity 0.5 0.0` für `Seconds 49`.",
         "f lief bei 0,98 s, denn sie läuft zehnmal in der Sekunde.",
     ]
 

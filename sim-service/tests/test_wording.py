@@ -84,7 +84,7 @@ _FOUND = problem(
         ("pt_BR.UTF-8", "p.hs: O programa parou sem dizer por quê. Aperte Executar mais uma vez. (aos 2,5 s)"),
         (
             "fr_FR.UTF-8",
-            "p.hs: Le programme s'est arrêté sans dire pourquoi. Appuie encore une fois sur Démarrer. (à 2,5 s)",
+            "p.hs: Le programme s’est arrêté sans dire pourquoi. Appuie encore une fois sur Démarrer. (à 2,5 s)",
         ),
     ],
 )

@@ -40,9 +40,9 @@ test("capitals and accents do not matter, in the query and in the words", () => 
     expect(search(made, query).map(item => item.label)).toEqual(["Número"])
 })
 
-test("accents and the width of spaces do not matter", () => {
+test("accents, the width of spaces and the kind of apostrophe do not matter", () => {
   const made = searchEntries(
-    ["répéter sans fin", "arrêter", "Sound\u00a0: jouer un son"].map(label => ({
+    ["répéter sans fin", "arrêter", "Sound\u00a0: jouer un son", "avancer jusqu’au choc"].map(label => ({
       label,
       block: {type: label},
     })),
@@ -52,6 +52,7 @@ test("accents and the width of spaces do not matter", () => {
   expect(labels("repeter")).toEqual(["répéter sans fin"])
   expect(labels("ARRÊTER")).toEqual(["arrêter"])
   expect(labels("sound : jouer")).toEqual(["Sound\u00a0: jouer un son"])
+  expect(labels("jusqu'au")).toEqual(["avancer jusqu’au choc"])
 })
 
 test("nothing is found for nothing", () => {

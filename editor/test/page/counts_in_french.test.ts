@@ -18,7 +18,7 @@ test.each([
   [page.lessons.stepsDone(0, 5), "0 étape sur 5"],
   [page.lessons.stepsDone(1, 5), "1 étape sur 5"],
   [page.lessons.stepsDone(2, 5), "2 étapes sur 5"],
-  [page.lessons.seen.functions(0), "Le programme n'a aucune fonction à lui."],
+  [page.lessons.seen.functions(0), "Le programme n’a aucune fonction à lui."],
   [page.lessons.seen.functions(1), "Le programme a une seule fonction à lui."],
   [page.lessons.seen.functions(3), "Le programme a 3 fonctions à lui."],
   [french.blocks.program.moreLines(1), "… et 1 autre ligne. Change-la dans le texte."],

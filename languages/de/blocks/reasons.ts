@@ -9,7 +9,7 @@ export const reasons: Words["reasons"] = {
   lonely: "Das gibt einem Ding einen Typ, das anderswo festgelegt ist.",
   names: "Ein Typ für mehrere Namen auf einmal. Gib jedem Namen eine eigene Zeile.",
   arity: "Die Gleichungen dieser Funktion haben verschieden viele Eingaben.",
-  directive: "Eine Anweisung an den Übersetzer. Sie bleibt, wie sie ist.",
+  directive: "Eine Anweisung an den Compiler. Sie bleibt, wie sie ist.",
   class: "Eine Klasse beschreibt viele Typen auf einmal. Dafür haben Blöcke keine Form.",
   instance: "Das sagt, wie ein Typ zu einer Klasse gehört. Dafür haben Blöcke keine Form.",
   fixity: "Das legt fest, wie stark ein Rechenzeichen bindet. Es bleibt Text.",

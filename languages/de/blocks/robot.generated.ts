@@ -236,7 +236,7 @@ export const robot = {
     "BumperLeft": "ein Bumper-Ereignis von links",
     "BumperCenter": "ein Bumper-Ereignis aus der Mitte",
     "BumperRight": "ein Bumper-Ereignis von rechts",
-    "CliffSide": "eine Seite des Abgrundsensors",
+    "CliffSide": "eine Seite des Bodensensors",
     "CliffStatus": "der Zustand eines Bodensensors",
     "Cliff": "ein Cliff-Ereignis",
     "CliffLeft": "ein Cliff-Ereignis von links",

@@ -22,7 +22,7 @@ export const toolbox: Words["toolbox"] = {
     goToPlace: "Fertig: zu einem Ort fahren",
     thisThenThat: "Fertig: erst dies, dann das",
     driveThenStop: "Fertig: zwei Sekunden fahren, dann anhalten",
-    walkAndTurn: "Fertig: laufen und drehen",
+    walkAndTurn: "Fertig: fahren und drehen",
     everySecond: "Fertig: jede Sekunde",
     lightShow: "Fertig: fünfmal blitzen",
   },

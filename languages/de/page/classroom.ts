@@ -53,7 +53,7 @@ export const classroom: Words["classroom"] = {
   saved: {
     saved: "In der Klasse gespeichert",
     saving: "Wird gespeichert…",
-    full: "Nicht in der Klasse gespeichert: Ihr Speicher ist voll. Deine Arbeit bleibt in diesem Browser.",
+    full: "Nicht in der Klasse gespeichert: Ihr Platz ist voll. Deine Arbeit bleibt in diesem Browser.",
     disk: "Das Speichern wartet: Die Platte der Klasse ist voll. Sag es deiner Lehrkraft. Deine Arbeit bleibt in diesem Browser.",
     database:
       "Das Speichern wartet: Die Datenbank der Klasse antwortet nicht. Deine Arbeit bleibt in diesem Browser und wird noch einmal gesendet.",
@@ -137,7 +137,7 @@ export const classroom: Words["classroom"] = {
     open: "Tafel öffnen",
     lost: "Keine Verbindung zu Rosy. Neuer Versuch…",
     store: {
-      disk: "Jetzt kann nichts gespeichert werden: Die Platte der Klasse ist voll oder defekt. Schaffen Sie dort Platz. Die Programme bleiben in den Browsern und werden noch einmal gesendet.",
+      disk: "Jetzt kann nichts gespeichert werden: Die Platte der Klasse ist voll oder defekt. Schaffe dort Platz. Die Programme bleiben in den Browsern und werden noch einmal gesendet.",
       database:
         "Jetzt kann nichts gespeichert werden: Die Datenbank der Klasse antwortet nicht. Die Programme bleiben in den Browsern und werden gesendet, wenn sie wieder da ist.",
     },
@@ -206,7 +206,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Diese Klasse hat 200 Arbeitsaufträge, mehr kann eine Klasse nicht haben.",
       comments: "Zu diesen Programmen gibt es 200 Kommentare, mehr gehen nicht. Nimm einige zurück.",
       disk: "Rosy kann es nicht speichern: Die Platte ist voll oder defekt.",
-      database: "Die Datenbank der Klasse antwortet nicht. Versuchen Sie es gleich noch einmal.",
+      database: "Die Datenbank der Klasse antwortet nicht. Versuch es gleich noch einmal.",
       busy: "Dieses Kind wird schon auf einer anderen Tafel gefragt oder bearbeitet dort zusammen.",
       away: "Dieses Kind ist nicht verbunden. Frag später noch einmal.",
     },
@@ -294,7 +294,7 @@ export const classroom: Words["classroom"] = {
       remove: "Aus der Klasse entfernen",
       removeSome: n => (n === 1 ? "Ein Kind entfernen" : `${n} Kinder entfernen`),
       removing: names =>
-        `${names}: Mit dem Namen gehen Programme, Abgaben und der Stand in den Lektionen aus der Klasse. 30 Tage lang können Sie alles hier zurückholen; danach wird es gelöscht.`,
+        `${names}: Mit dem Namen gehen Programme, Abgaben und der Stand in den Lektionen aus der Klasse. 30 Tage lang kannst du alles hier zurückholen; danach wird es gelöscht.`,
       removeThem: n => (n === 1 ? "Dieses Kind entfernen" : `Diese ${n} Kinder entfernen`),
       cancel: "Abbrechen",
       removed: "Entfernt",

@@ -152,7 +152,7 @@ export const page: Omit<
   readMore: "Mehr lesen",
   fromToolbox: "Aus dem Werkzeugkasten",
   writeType: signature => `Den Typ hinschreiben: ${signature}`,
-  compilerSays: "Was der Übersetzer gesagt hat",
+  compilerSays: "Was der Compiler gesagt hat",
   givenInputs: "Es bekam",
   atTime: time => `bei ${seconds(time, 2)}`,
   close: "Schließen",
@@ -206,7 +206,7 @@ export const page: Omit<
   },
   guide: {
     menu: "Handbuch",
-    teachers: "Für Lehrkräfte (auf Englisch)",
+    teachers: "Für Lehrkräfte",
     isEnglish: "Diese Seite des Handbuchs gibt es nur auf Englisch.",
     more: "Mehr dazu im Handbuch",
   },
@@ -336,7 +336,7 @@ export const page: Omit<
   },
   blocked: {
     pushes: "Der Roboter drückt gegen etwas und kommt nicht weiter.",
-    withBumper: "Eine Funktion mit Bumper als Eingang kann ihn abwenden.",
+    withBumper: "Eine Funktion mit Bumper als Eingabe kann ihn abwenden.",
     withoutBumper: "Auf dieser Seite hat er keine Stoßstange: Lass ihn anders fahren.",
   },
   goals: "Ziele",

@@ -141,7 +141,7 @@ export const teaching: TeachingWords = {
       ],
     },
     "remote-control": {
-      often: "Der Roboter soll anhalten, wenn man die Taste loslässt. Das hat ihm niemand gesagt.",
+      often: "Der Roboter soll anhalten, wenn man den Knopf loslässt. Das hat ihm niemand gesagt.",
       ask: [
         "Welches Ereignis ist das Loslassen?",
         "Wie wäre eine Fernsteuerung, die nur fährt, solange du drückst?",
@@ -223,7 +223,7 @@ export const teaching: TeachingWords = {
       ask: [
         "Welcher Pfeil fehlt der Maschine?",
         "Zeichne die drei Zustände als Kreise: Welcher Sensor steht an welchem Pfeil?",
-        "Was tut die Taste in `Go`?",
+        "Was tut der Knopf in `Go`?",
       ],
     },
     "my-own-event": {

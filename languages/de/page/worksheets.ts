@@ -146,9 +146,9 @@ export const worksheets: WorksheetWords = {
     },
     bump: {
       tasks: [
-        {say: "Der Bumper wird 3-mal gedrückt und 3-mal losgelassen. Wie viele Ereignisse?", answer: "6"},
+        {say: "Die Stoßstange wird 3-mal gedrückt und 3-mal losgelassen. Wie viele Ereignisse?", answer: "6"},
         {
-          say: "Ereignis oder Zustand: ein Stoß, die Geschwindigkeit, eine Taste, die Position?",
+          say: "Ereignis oder Zustand: ein Stoß, die Geschwindigkeit, ein Knopf, die Position?",
           answer: "Ereignis, Zustand, Ereignis, Zustand",
         },
       ],
@@ -168,7 +168,7 @@ export const worksheets: WorksheetWords = {
           answer: "Nie: Der erste passt auf alles.",
         },
         {
-          say: "Schreib das Muster für: Der rechte Bumper wird losgelassen.",
+          say: "Schreib das Muster für: Die rechte Stoßstange wird losgelassen.",
           answer: "`Bumper RightBumper Released`",
         },
       ],
@@ -229,7 +229,7 @@ export const worksheets: WorksheetWords = {
     ],
     "2": [
       {
-        ask: "Der Bumper wird 3-mal gedrückt. Welche Zahl ist dann in der Erinnerung?",
+        ask: "Die Stoßstange wird 3-mal gedrückt. Welche Zahl ist dann in der Erinnerung?",
         why: "Sie beginnt mit 0, und bei jedem Drücken kommt 2 dazu.",
       },
       {

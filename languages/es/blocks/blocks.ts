@@ -296,7 +296,7 @@ export const blocks: Pick<
     whatGoesFirst: "lo que va primero",
     whatGoesSecond: "lo que actúa si no",
     theFirstKeepsTheRobot:
-      "Dos funciones mandan lo mismo: la primera conserva el robot ese tiempo tras su última orden. Ejemplo: primero retroceder durante 1 s, si no avanzar.",
+      "Dos funciones mandan lo mismo: la primera conserva el robot ese tiempo tras su último comando. Ejemplo: primero retroceder durante 1 s, si no avanzar.",
     firstForSecondsOtherwise: "primero uno, unos segundos, si no el otro",
   },
   tasks: {

@@ -22,7 +22,7 @@ export const toolbox: Words["toolbox"] = {
     goToPlace: "ya hecho: ir a un lugar",
     thisThenThat: "ya hecho: hacer esto, después aquello",
     driveThenStop: "ya hecho: avanzar dos segundos, después parar",
-    walkAndTurn: "ya hecho: andar y girar",
+    walkAndTurn: "ya hecho: avanzar y girar",
     everySecond: "ya hecho: cada segundo",
     lightShow: "ya hecho: cinco destellos",
   },

@@ -19,7 +19,7 @@ export const backpack: Words["backpack"] = {
   notPacked: name => `${name} no se puede guardar en la mochila.`,
   notPackedHint: "Su texto está sin terminar. Arréglalo primero.",
   full: "La mochila no se puede guardar.",
-  fullHint: "Este navegador no tiene más sitio. Quita algo de la mochila o borra programas viejos.",
+  fullHint: "Este navegador no tiene más sitio. Quita algo de la mochila o elimina programas viejos.",
   notUnpacked: name => `${name} no se puede sacar a este programa.`,
   unpacked: names => `Nuevo en tu programa: ${names}.`,
   present: names => `Tu programa ya tiene esto: ${names}.`,

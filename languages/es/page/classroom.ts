@@ -19,8 +19,8 @@ export const classroom: Words["classroom"] = {
   iAmNew: "Es mi primera vez",
   without: "Sin la clase",
   privacy:
-    "Tus programas y lo que has hecho en las lecciones se guardan en la computadora de tu profe, con este apodo. No se guarda nada más.",
-  noConnection: "No hay conexión con la computadora de tu profe. Probando otra vez…",
+    "Tus programas y lo que has hecho en las lecciones se guardan en el ordenador de tu profe, con este apodo. No se guarda nada más.",
+  noConnection: "No hay conexión con el ordenador de tu profe. Probando otra vez…",
   refused: {
     code: "Este no es el código de la clase. Mira otra vez lo que muestra tu profe.",
     words: "Ningún alumno de esta clase tiene estas tres palabras. Revisa cada letra o pregunta a tu profe.",
@@ -93,13 +93,13 @@ export const classroom: Words["classroom"] = {
     doneOf: text => `Hecho: «${text}»`,
   },
   sharing: {
-    teacher: "Tu profesor",
+    teacher: "Tu profe",
     asked: name =>
-      `Tu profesor pregunta si podéis editar «${name}» juntos. Cada uno ve al momento lo que cambia el otro.`,
+      `Tu profe pregunta si podéis editar «${name}» juntos. Cada uno ve al momento lo que cambia el otro.`,
     allow: "Permitir",
     decline: "Ahora no",
-    on: "Tu profesor y tú editáis este programa juntos.",
-    teacherLine: line => `Tu profesor está en la línea ${line}.`,
+    on: "Tu profe y tú editáis este programa juntos.",
+    teacherLine: line => `Tu profe está en la línea ${line}.`,
     end: "Dejar de editar juntos",
     ended: "La edición conjunta ha terminado. El programa queda como está.",
     gone: name => `«${name}» no está en este navegador, así que no se puede editar en conjunto.`,
@@ -131,12 +131,12 @@ export const classroom: Words["classroom"] = {
     open: "Abrir el panel",
     lost: "Sin conexión con Rosy. Probando otra vez…",
     store: {
-      disk: "Ahora no se puede guardar nada: el disco de la clase está lleno o dañado. Libere espacio en él. Los programas se quedan en los navegadores y se envían otra vez.",
+      disk: "Ahora no se puede guardar nada: el disco de la clase está lleno o dañado. Libera espacio en él. Los programas se quedan en los navegadores y se envían otra vez.",
       database:
         "Ahora no se puede guardar nada: la base de datos de la clase no responde. Los programas se quedan en los navegadores y se envían otra vez cuando vuelva.",
     },
     pupilsOpen: "Dirección para la clase",
-    noNetwork: "Esta computadora no está en ninguna red; la clase no puede llegar a ella.",
+    noNetwork: "Este ordenador no está en ninguna red; la clase no puede llegar a él.",
     qr: "Código QR de la dirección con el código de la clase",
     empty: "Todavía no ha entrado nadie.",
     eyesUp: "Mirar al frente",
@@ -200,7 +200,7 @@ export const classroom: Words["classroom"] = {
       tasks: "Esta clase tiene 200 trabajos, el máximo posible.",
       comments: "Hay 200 comentarios para este alumno, el máximo. Retira algunos.",
       disk: "Rosy no puede guardarlo: el disco está lleno o dañado.",
-      database: "La base de datos de la clase no responde. Pruebe otra vez en un momento.",
+      database: "La base de datos de la clase no responde. Prueba otra vez en un momento.",
       busy: "A este alumno ya se le ha preguntado o ya edita en conjunto, en otro panel.",
       away: "Este alumno no está conectado. Pregunta más tarde.",
     },
@@ -330,7 +330,7 @@ export const classroom: Words["classroom"] = {
       cancel: "Parar la prueba",
       progress: (done, of, rooms) => `${done} de ${of} programas probados, salas recorridas: ${rooms}`,
       refused:
-        "Esta prueba no es posible en esas salas: el robot no puede llegar a las metas, o no hay ningún lugar al que llegar.",
+        "Esta prueba no es posible en esas salas: el robot no puede llegar a los objetivos, o no hay ningún lugar al que llegar.",
       results: "Cómo les fue a los programas, el peor primero",
       passed: "Salas superadas",
       of: (passed, rooms) => `${passed} de ${rooms}`,

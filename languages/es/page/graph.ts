@@ -4,7 +4,7 @@ export const graph = {
   functions: "Gráfica de una función",
   of: (name: string) => `Gráfica de ${name}`,
   notRun: "Ejecuta el programa: cada respuesta de la función es un punto.",
-  noNumbers: "Lo que esta función tomó o dio no es un número: no tiene gráfica.",
+  noNumbers: "Lo que esta función recibió o dio no es un número: no tiene gráfica.",
   partial: "Son los puntos desde que se abrió la gráfica. Ejecuta otra vez para tenerlos todos.",
   input: "Entrada",
   output: "Salida",

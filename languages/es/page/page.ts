@@ -212,8 +212,8 @@ export const page: Omit<
     lead: "Todo programa de Haskell los conoce. Cada uno aparece con su tipo y un ejemplo.",
   },
   guide: {
-    menu: "Guía (en inglés)",
-    teachers: "Para docentes (en inglés)",
+    menu: "Guía",
+    teachers: "Para docentes",
     isEnglish: "Esta página de la guía está solo en inglés.",
     more: "Leer más en la guía",
   },
@@ -384,7 +384,7 @@ export const page: Omit<
     },
     uncompared: {
       message: time => `Después de ${time} no se sabe si tu programa cambiado hace otra cosa.`,
-      hint: "Las órdenes de una ejecución se guardan más o menos una hora.",
+      hint: "Los comandos de una ejecución se guardan más o menos una hora.",
     },
     notText: {
       message: name => `${name} no contiene texto.`,

@@ -11,7 +11,7 @@ export const roomTests: Words["roomTests"] = {
   lead: "¿Funciona tu programa en salas que nunca ha visto?",
   hold: "Esto se tiene que cumplir en cada sala:",
   properties: {
-    "reaches-goal": "Llega a la meta",
+    "reaches-goal": "Llega al objetivo",
     "never-falls": "Nunca cae en un agujero",
     "never-pushes": "Nunca empuja contra algo durante más de",
     "returns-to-start": "Se aleja del inicio y vuelve",
@@ -56,7 +56,7 @@ export const roomTests: Words["roomTests"] = {
   more: n => count(n, {one: "Falla en una sala más.", other: m => `Falla en ${m} salas más.`}),
   back: "Volver a mi sala",
   found: {
-    "reaches-goal": share => `Recorrió el ${short(share * 100, 0)} % del camino hasta la meta.`,
+    "reaches-goal": share => `Recorrió el ${short(share * 100, 0)} % del camino hasta el objetivo.`,
     "never-falls": time => `Se cayó a los ${seconds(time, 1)}.`,
     "never-pushes": (push, time) =>
       `Empujó durante ${seconds(push, 1)}, hasta los ${seconds(time, 1)} desde el inicio.`,

@@ -64,11 +64,11 @@ export const world: Words["world"] = {
   },
   refused: {
     things: (most: number) =>
-      `Una sala puede tener como mucho ${most} paredes, cajas y postes. Borra algo antes de dibujar más.`,
+      `Una sala puede tener como mucho ${most} paredes, cajas y postes. Elimina algo antes de dibujar más.`,
     movable: (most: number) =>
-      `En una sala se pueden empujar como mucho ${most} cosas. Borra una o dibuja una que no se mueva.`,
+      `En una sala se pueden empujar como mucho ${most} cosas. Elimina una o dibuja una que no se mueva.`,
     goals: (most: number) =>
-      `Una sala puede tener como mucho ${most} objetivos. Borra uno antes de añadir otro.`,
+      `Una sala puede tener como mucho ${most} objetivos. Elimina uno antes de añadir otro.`,
   },
   snap: "Ajustar a la cuadrícula",
   room: "Esta sala",

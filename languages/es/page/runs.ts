@@ -13,7 +13,7 @@ export const runs = {
   goOn: (number: number) => `Seguir con la ejecución ${number}`,
   otherProgram: (number: number) => `La ejecución ${number} tenía otro programa.`,
   showProgram: "Mostrar su programa",
-  continued: (run: number, at: number) => `sigue la ejecución ${run} en ${seconds(at, 2)}`,
+  continued: (run: number, at: number) => `sigue la ejecución ${run} a los ${seconds(at, 2)}`,
   changes: {
     same: "el mismo programa",
     layout: "solo comentarios o disposición",
@@ -39,8 +39,8 @@ export const runs = {
   way: "Camino recorrido",
   goalStates: {
     open: "no logrado",
-    done: (at: number) => `logrado en ${seconds(at, 1)}`,
-    missed: (at: number) => `perdido en ${seconds(at, 1)}`,
+    done: (at: number) => `logrado a los ${seconds(at, 1)}`,
+    missed: (at: number) => `no logrado a los ${seconds(at, 1)}`,
   },
   dropped: (n: number) =>
     count(n, {

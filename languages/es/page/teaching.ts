@@ -109,7 +109,7 @@ export const teaching: TeachingWords = {
       ],
     },
     bump: {
-      often: "Un choque son dos eventos, pulsado y soltado; por eso hay dos sonidos.",
+      often: "Un choque son dos eventos, pulsado y suelto; por eso hay dos sonidos.",
       ask: [
         "¿Cuántos eventos ha habido?",
         "¿Qué envía `Nothing`?",
@@ -133,7 +133,7 @@ export const teaching: TeachingWords = {
       often: "Se espera que el robot pare al soltar el botón. Nadie se lo ha dicho.",
       ask: [
         "¿Qué evento es soltar?",
-        "¿Cómo sería un mando que solo anda mientras pulsas?",
+        "¿Cómo sería un mando que solo avanza mientras pulsas?",
         "¿Qué hace el robot sin ningún comando?",
       ],
     },
@@ -168,7 +168,7 @@ export const teaching: TeachingWords = {
       ask: [
         "¿Hacia dónde va el número?",
         "¿Y si la pared se mueve?",
-        "¿Cómo pararías a 10 cm de una pared, desde cualquier salida?",
+        "¿Cómo pararías a 10 cm de una pared, empiece donde empiece?",
       ],
     },
     "count-the-bumps": {
@@ -212,7 +212,7 @@ export const teaching: TeachingWords = {
       often:
         "La respuesta se escribe dos veces, una por sensor. Un evento con dos emisores necesita una respuesta.",
       ask: [
-        "¿Quién envía `Blocked` y quién lo toma?",
+        "¿Quién envía `Blocked` y quién lo acepta?",
         "¿Qué cambia con un tercer sensor?",
         "¿Cómo se llama tu evento?",
       ],

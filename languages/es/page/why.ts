@@ -104,9 +104,9 @@ export const why: Words["why"] = {
     "in-the-way": "Algo le cierra el paso: %{happened} a los %{time} y no se ha soltado.",
     followed: "De los %{since} a los %{until}, el robot siguió %{value} de %{other}.",
     "followed-changes":
-      "De los %{since} a los %{until}, el robot siguió órdenes de %{other} entre %{first} y %{last}.",
+      "De los %{since} a los %{until}, el robot siguió comandos de %{other} entre %{first} y %{last}.",
     stood: "De los %{since} a los %{until}, el robot debía estar quieto.",
-    "followed-others": "Antes de los %{since} siguió otras órdenes.",
+    "followed-others": "Antes de los %{since} siguió otros comandos.",
     placed: "A los %{time}, una mano puso el robot en otro lugar.",
     "not-moved": "El robot está donde empezó: ningún %{type} lo había movido antes de los %{time}.",
     "no-sender": "Ninguna función envía %{type}.",

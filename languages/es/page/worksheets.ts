@@ -8,7 +8,7 @@ export const worksheets: WorksheetWords = {
     slides: course => `Diapositivas: ${course}`,
     name: "Nombre:",
     answer: "Tu respuesta:",
-    forTeachers: "Para el profesor: respuestas",
+    forTeachers: "Para docentes: respuestas",
     unplugged: title => `Sin ordenador: ${title}`,
     test: number => `Prueba ${number}`,
     testLead:
@@ -38,7 +38,7 @@ export const worksheets: WorksheetWords = {
         },
         {
           say: "Dibuja dónde está `Velocity (-0.2) 0` después de 5 segundos y después de 10.",
-          answer: "1 metro y 2 metros detrás de la salida",
+          answer: "1 metro y 2 metros detrás del inicio",
         },
       ],
       unplugged: {
@@ -128,7 +128,7 @@ export const worksheets: WorksheetWords = {
       tasks: [
         {say: "¿Qué da `go` para x = 0,5, para x = 0,99 y para x = 1?", answer: "0,3, 0,3 y 0"},
         {
-          say: "Añade una línea: entre 1 y 1,5 anda con 0,1.",
+          say: "Añade una línea: entre 1 y 1,5 avanza a 0,1.",
           answer: "`| x < 1.5 = Velocity 0.1 0` como segunda línea",
         },
       ],
@@ -197,7 +197,7 @@ export const worksheets: WorksheetWords = {
       },
       {
         ask: "¿Qué hace este programa?",
-        answers: ["Anda y después se enciende la luz", "Las dos cosas desde el principio", "Solo la luz"],
+        answers: ["Avanza y después se enciende la luz", "Las dos cosas desde el principio", "Solo la luz"],
         why: "Los valores están uno al lado del otro.",
       },
       {
@@ -207,7 +207,7 @@ export const worksheets: WorksheetWords = {
       },
       {
         ask: "El robot choca 3 veces y cada vez queda libre. ¿Cuántos sonidos?",
-        why: "Pulsado y soltado son dos eventos, tres veces.",
+        why: "Pulsado y suelto son dos eventos, tres veces.",
       },
       {
         ask: "¿Qué hace el robot en la pared?",
@@ -217,7 +217,7 @@ export const worksheets: WorksheetWords = {
       {
         ask: "¿Cuándo responde `back`?",
         answers: [
-          "Cuando han ocurrido un choque y un hueco",
+          "Cuando han ocurrido un choque y un agujero",
           "A cada choque y a cada cambio del suelo",
           "Solo a lo primero que llega",
         ],

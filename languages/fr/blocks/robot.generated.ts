@@ -57,19 +57,19 @@ export const robot = {
         "côté",
         "état"
       ],
-      "tooltip": "Une roue a quitté le sol ou l'a touché de nouveau. Exemple : Wheel LeftWheel Air."
+      "tooltip": "Une roue a quitté le sol ou l’a touché de nouveau. Exemple : Wheel LeftWheel Air."
     },
     "WheelLeft": {
       "parts": [
         "état"
       ],
-      "tooltip": "La roue gauche a quitté le sol ou l'a touché de nouveau. Exemple : WheelLeft Air."
+      "tooltip": "La roue gauche a quitté le sol ou l’a touché de nouveau. Exemple : WheelLeft Air."
     },
     "WheelRight": {
       "parts": [
         "état"
       ],
-      "tooltip": "La roue droite a quitté le sol ou l'a touché de nouveau. Exemple : WheelRight Air."
+      "tooltip": "La roue droite a quitté le sol ou l’a touché de nouveau. Exemple : WheelRight Air."
     },
     "Button": {
       "parts": [
@@ -114,7 +114,7 @@ export const robot = {
       "parts": [
         "angle, radians"
       ],
-      "tooltip": "Vers où regarde le robot ; tourner à gauche fait augmenter l'angle. Exemple : Orientation pi regarde en arrière."
+      "tooltip": "Vers où regarde le robot ; tourner à gauche fait augmenter l’angle. Exemple : Orientation pi regarde en arrière."
     },
     "Pose": {
       "parts": [
@@ -165,7 +165,7 @@ export const robot = {
       "parts": [
         "mètres"
       ],
-      "tooltip": "Jusqu'où la voie est libre devant, mesuré cinq fois par seconde depuis le milieu du robot ; 3.5 quand rien n'est proche. Exemple : Ahead distance."
+      "tooltip": "Jusqu’où la voie est libre devant, mesuré cinq fois par seconde depuis le milieu du robot ; 3.5 quand rien n’est proche. Exemple : Ahead distance."
     },
     "Scan": {
       "parts": [
@@ -175,7 +175,7 @@ export const robot = {
         "maximum, mètres",
         "distances"
       ],
-      "tooltip": "Les distances dans toutes les directions, une pour chaque faisceau d'un scanner laser, dans le sens antihoraire depuis l'avant. Exemple : Scan first step short long distances."
+      "tooltip": "Les distances dans toutes les directions, une pour chaque faisceau d’un scanner laser, dans le sens antihoraire depuis l’avant. Exemple : Scan first step short long distances."
     },
     "Led1": {
       "parts": [
@@ -200,7 +200,7 @@ export const robot = {
       "parts": [
         "largeur, mètres"
       ],
-      "tooltip": "Règle la largeur du trait du stylo. Exemple : PenWidth 0.05."
+      "tooltip": "Règle la largeur du trait du stylo. Exemple : PenWidth 0.05."
     },
     "Say": {
       "parts": [
@@ -231,19 +231,19 @@ export const robot = {
   },
   "nouns": {
     "BumperSide": "un côté du pare-chocs",
-    "ButtonStatus": "l'état d'un bouton ou du pare-chocs",
+    "ButtonStatus": "l’état d’un bouton ou du pare-chocs",
     "Bumper": "un événement Bumper",
     "BumperLeft": "un événement Bumper de gauche",
-    "BumperCenter": "un événement Bumper de l'avant",
+    "BumperCenter": "un événement Bumper de l’avant",
     "BumperRight": "un événement Bumper de droite",
     "CliffSide": "un côté du capteur de vide",
-    "CliffStatus": "l'état d'un capteur de vide",
+    "CliffStatus": "l’état d’un capteur de vide",
     "Cliff": "un événement Cliff",
     "CliffLeft": "un événement Cliff de gauche",
-    "CliffCenter": "un événement Cliff de l'avant",
+    "CliffCenter": "un événement Cliff de l’avant",
     "CliffRight": "un événement Cliff de droite",
     "WheelSide": "un côté des roues",
-    "WheelStatus": "l'état d'une roue",
+    "WheelStatus": "l’état d’une roue",
     "Wheel": "un événement Wheel",
     "WheelLeft": "un événement Wheel de gauche",
     "WheelRight": "un événement Wheel de droite",
@@ -252,14 +252,14 @@ export const robot = {
     "ButtonZero": "un événement du premier bouton",
     "ButtonOne": "un événement du deuxième bouton",
     "ButtonTwo": "un événement du troisième bouton",
-    "RobotStatus": "l'état du robot",
+    "RobotStatus": "l’état du robot",
     "TurnRate": "une vitesse de rotation",
     "Battery": "une tension de batterie",
-    "Charger": "l'état du chargeur",
+    "Charger": "l’état du chargeur",
     "DockSignal": "une zone devant la station de charge",
     "DockInfraRed": "un signal de la station de charge",
     "DigitalInput": "un changement des entrées numériques",
-    "AnalogInput": "un groupe d'entrées analogiques",
+    "AnalogInput": "un groupe d’entrées analogiques",
     "LineSensor": "la place de la ligne",
     "Ahead": "une distance devant",
     "Scan": "un balayage laser",
@@ -267,7 +267,7 @@ export const robot = {
     "Led1": "une lumière",
     "Led2": "une lumière",
     "PowerSource": "une prise de courant du robot",
-    "PowerStatus": "l'état d'une prise",
+    "PowerStatus": "l’état d’une prise",
     "ExternalPower": "un interrupteur de courant",
     "MotorPower": "un interrupteur des moteurs",
     "Sound": "un son",
@@ -324,9 +324,9 @@ export const robot = {
     "Scan": "quand il mesure tout autour",
     "ExternalPower": "allumer ou éteindre une prise : ExternalPower",
     "MotorPower": "allumer ou éteindre les moteurs : MotorPower",
-    "Pen": "baisser le stylo : PenDown",
-    "PenColor": "choisir la couleur du stylo : PenColor",
-    "PenWidth": "régler la largeur du stylo : PenWidth"
+    "Pen": "baisser le stylo : PenDown",
+    "PenColor": "choisir la couleur du stylo : PenColor",
+    "PenWidth": "régler la largeur du stylo : PenWidth"
   },
   "values": {
     "BumperSide": {
@@ -352,7 +352,7 @@ export const robot = {
       "RightWheel": "droite"
     },
     "WheelStatus": {
-      "Air": "en l'air",
+      "Air": "en l’air",
       "Ground": "au sol"
     },
     "ButtonNumber": {
@@ -433,7 +433,7 @@ export const robot = {
     "Velocity": "la vitesse",
     "Led1": "la première lumière",
     "Led2": "la deuxième lumière",
-    "MotorPower": "l'alimentation des moteurs",
+    "MotorPower": "l’alimentation des moteurs",
     "Pen": "le stylo",
     "PenColor": "la couleur du stylo",
     "PenWidth": "la largeur du stylo"

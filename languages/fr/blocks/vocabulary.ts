@@ -13,16 +13,16 @@ export const vocabulary: Pick<
     Seconds: {parts: ["secondes"], tooltip: "Un temps en secondes. Exemple : Seconds 2."},
     Clock: {
       parts: ["heures", "minutes", "secondes", "millisecondes"],
-      tooltip: "L'heure de la journée. Exemple : Clock 8 30 0 0 est huit heures et demie.",
+      tooltip: "L’heure de la journée. Exemple : Clock 8 30 0 0 est huit heures et demie.",
     },
     Just: {
       parts: ["valeur"],
-      tooltip: "Il y a une valeur, et la voici. En Haskell, cela s'appelle Just. Exemple : juste 3.",
+      tooltip: "Il y a une valeur, et la voici. En Haskell, cela s’appelle Just. Exemple : juste 3.",
       word: "juste",
     },
     Nothing: {
       parts: [],
-      tooltip: "Il n'y a pas de valeur. En Haskell, cela s'appelle Nothing. Exemple : envoyer rien.",
+      tooltip: "Il n’y a pas de valeur. En Haskell, cela s’appelle Nothing. Exemple : envoyer rien.",
       word: "rien",
     },
     Left: {
@@ -56,9 +56,9 @@ export const vocabulary: Pick<
     Ordering: "ordre",
   },
   anyOf: {
-    thing: "n'importe quoi",
-    side: "n'importe quel côté",
-    "bumper event": "n'importe quel événement",
+    thing: "n’importe quoi",
+    side: "n’importe quel côté",
+    "bumper event": "n’importe quel événement",
   },
   samples: {
     pi: "Velocity 0 pi fait un demi-tour en une seconde",
@@ -82,8 +82,8 @@ export const vocabulary: Pick<
     filter: "filter (… > 1) (liste 1 2) donne liste 2",
     length: "length (liste 5 6) donne 2",
     sum: "sum (liste 1 2 3) donne 6",
-    task: "task start run commence avec start et réagit avec run jusqu'à Done",
-    once: "once (Led1 Red) l'envoie une seule fois",
+    task: "task start run commence avec start et réagit avec run jusqu’à Done",
+    once: "once (Led1 Red) l’envoie une seule fois",
     parallel: "parallel left right fait les deux et attend les deux",
     race: "race drive (wait 5) se termine au plus tard après 5 secondes",
   },

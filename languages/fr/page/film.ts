@@ -8,7 +8,7 @@ const {short} = measuresOf("fr")
 export const film: Words["film"] = {
   webm: "Film de l’exécution (WebM)",
   gif: "Film de l’exécution (GIF)",
-  making: percent => `Le film se fait : ${percent} %`,
-  faster: pace => `${short(pace, 1)} fois plus vite : un film dure une minute au plus.`,
+  making: percent => `Le film se fait : ${percent} %`,
+  faster: pace => `${short(pace, 1)} fois plus vite : un film dure une minute au plus.`,
   cancel: "Annuler",
 }

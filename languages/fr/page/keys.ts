@@ -2,11 +2,11 @@
 
 import type {Words} from "../../../editor/src/words/index.ts"
 
-const parts = "Partie suivante et précédente d'un bloc"
+const parts = "Partie suivante et précédente d’un bloc"
 const rows = "Ligne suivante et précédente"
 const stacks = "Pile suivante et précédente"
-const ends = "Début et fin d'un bloc"
-const endsOfStack = "Début et fin d'une pile"
+const ends = "Début et fin d’un bloc"
+const endsOfStack = "Début et fin d’une pile"
 const endsOfAll = "Premier et dernier de tous les blocs"
 const step = "Pendant un déplacement : au prochain emplacement qui convient"
 const view = "Déplacer la vue"
@@ -44,7 +44,7 @@ export const keys: Words["keys"] = {
   },
   page: {
     run: "Démarrer le programme",
-    stop: "L'arrêter ; un vrai robot s'arrête tout de suite",
+    stop: "L’arrêter ; un vrai robot s’arrête tout de suite",
     undo: "Annuler",
     redo: "Rétablir",
     save: "Enregistrer dans un fichier",
@@ -52,14 +52,14 @@ export const keys: Words["keys"] = {
   },
   blocks: {
     focus_toolbox: "Chercher des blocs",
-    rosyNextEmpty: "Emplacement vide suivant, et celui d'avant",
+    rosyNextEmpty: "Emplacement vide suivant, et celui d’avant",
     rosyFill: "Sur un emplacement vide : chercher ce qui convient",
-    rosyFillNext: "À l'emplacement vide suivant, et chercher ce qui convient",
-    rosyPutNext: "Dans la recherche : mettre le premier bloc ; avec Maj, passer à l'emplacement vide suivant",
-    rosyRunOneMore: "En lancer une de plus : un emplacement dans simulate, et chercher ce qui convient",
+    rosyFillNext: "À l’emplacement vide suivant, et chercher ce qui convient",
+    rosyPutNext: "Dans la recherche : mettre le premier bloc ; avec Maj, passer à l’emplacement vide suivant",
+    rosyRunOneMore: "En lancer une de plus : un emplacement dans simulate, et chercher ce qui convient",
     rosyToggleRuns: "Exécuter la définition choisie dans simulate, ou l’en retirer",
-    rosyNextNumber: "Nombre suivant, et celui d'avant",
-    rosyNumber: "Sur un emplacement vide ou un nombre : écrire un nombre",
+    rosyNextNumber: "Nombre suivant, et celui d’avant",
+    rosyNumber: "Sur un emplacement vide ou un nombre : écrire un nombre",
     perform_action: "Ouvrir un champ, appuyer sur un bouton",
     right: parts,
     left: parts,
@@ -79,7 +79,7 @@ export const keys: Words["keys"] = {
     move_right: step,
     move_up: step,
     move_down: step,
-    moveFreely: "Pendant un déplacement : n'importe où",
+    moveFreely: "Pendant un déplacement : n’importe où",
     finish_move: "Le poser",
     abort_move: "Le remettre à sa place",
     disconnect: "Sortir un bloc de sa place",
@@ -88,11 +88,11 @@ export const keys: Words["keys"] = {
     cut: "Couper",
     paste: "Coller",
     delete: "Supprimer",
-    menu: "Menu d'un bloc : commentaire, réduire, aide",
+    menu: "Menu d’un bloc : commentaire, réduire, aide",
     show_tooltip: "À quoi sert un bloc",
     information: "Dire où tu es",
     extended_information: "En dire plus",
-    toggle_screenreader: "Aide pour lecteurs d'écran, activée ou non",
+    toggle_screenreader: "Aide pour lecteurs d’écran, activée ou non",
     focus_workspace: "Aller aux blocs, et au menu de tous les blocs",
     next_heading: headings,
     previous_heading: headings,
@@ -112,7 +112,7 @@ export const keys: Words["keys"] = {
     rename: "Renommer ce qui est sous le curseur",
     format: "Mettre le Haskell en forme",
     why: "Demander le pourquoi de ce qui est sous le curseur",
-    number: "Changer d'un pas le nombre sous le curseur",
+    number: "Changer d’un pas le nombre sous le curseur",
     find: "Chercher",
     comment: "Mettre des lignes en commentaire, et inversement",
     lineUp: lines,

@@ -37,11 +37,11 @@ export const page: Omit<
   sameAgainHint: "Encore une fois, pareil : avec la même chance aux dés et les mêmes glissades des roues",
   pause: "Pause",
   resume: "Continuer",
-  continueHere: "Continuer à partir d'ici",
-  continueHint: "Continuer à partir de ce moment, avec le programme tel qu'il est maintenant",
+  continueHere: "Continuer à partir d’ici",
+  continueHint: "Continuer à partir de ce moment, avec le programme tel qu’il est maintenant",
   forward: "Un pas (0,02 s)",
-  stepBefore: "Étape précédente : là où une fonction a commencé",
-  stepAfter: "Étape suivante : là où une fonction commence",
+  stepBefore: "Étape précédente : là où une fonction a commencé",
+  stepAfter: "Étape suivante : là où une fonction commence",
   lookBack: "Revenir en arrière dans le temps",
   saveTable: "Enregistrer en tableau (CSV)",
   noRun: "Démarre le programme pour voir ses valeurs.",
@@ -75,7 +75,7 @@ export const page: Omit<
   senses: {
     bumper: ["enfoncé", "relâché"],
     cliff: ["trou", "sol"],
-    wheel: ["en l'air", "au sol"],
+    wheel: ["en l’air", "au sol"],
     button: ["enfoncé", "relâché"],
   },
   led: n => `LED ${n}`,
@@ -102,7 +102,7 @@ export const page: Omit<
     below: (one, other) => `${one} au-dessus de ${other}`,
     shown: "Ce que tu vois",
     reset: "Comme au début",
-    how: "Tire sur les points en haut d'une partie, ou sur la limite entre deux parties.",
+    how: "Tire sur les points en haut d’une partie, ou sur la limite entre deux parties.",
     move: region => `Déplacer : ${region}`,
     moveHint: "Tire-la à un autre endroit. Les flèches la déplacent de ce côté.",
     hide: region => `Cacher : ${region}`,
@@ -157,7 +157,7 @@ export const page: Omit<
     "Control character": "Caractère invisible",
   },
   showIt: "Montre-moi",
-  nothingRuns: name => `Rien ne s'exécute encore. Exécuter \`${name}\` ?`,
+  nothingRuns: name => `Rien ne s’exécute encore. Exécuter \`${name}\` ?`,
   runIt: name => `Exécuter ${name}`,
   readMore: "En savoir plus",
   fromToolbox: "Dans la boîte à outils",
@@ -173,13 +173,13 @@ export const page: Omit<
   share: {
     menu: "Partager ou imprimer…",
     title: "Partager",
-    lead: "Le lien contient tout le programme et sa salle. Rien n'est envoyé sur Internet.",
+    lead: "Le lien contient tout le programme et sa salle. Rien n’est envoyé sur Internet.",
     making: "Le lien se prépare…",
     reach: {
       network:
-        "L'adresse de cette page ne mène qu'à cet ordinateur. Le lien a donc son adresse sur le réseau : les autres peuvent l'ouvrir tant que Rosy tourne ici.",
+        "L’adresse de cette page ne mène qu’à cet ordinateur. Le lien a donc son adresse sur le réseau : les autres peuvent l’ouvrir tant que Rosy tourne ici.",
       computer:
-        "Ce lien ne mène qu'à cet ordinateur. Pour les autres, enregistre le programme dans un fichier, ou lance Rosy avec `--host 0.0.0.0` et partage à nouveau.",
+        "Ce lien ne mène qu’à cet ordinateur. Pour les autres, enregistre le programme dans un fichier, ou lance Rosy avec `--host 0.0.0.0` et partage à nouveau.",
     },
     link: "Lien",
     copy: "Copier",
@@ -215,9 +215,9 @@ export const page: Omit<
     lead: "Tous les programmes Haskell les connaissent. Chacun est montré avec son type et un exemple.",
   },
   guide: {
-    menu: "Guide (en anglais)",
-    teachers: "Pour les enseignants (en anglais)",
-    isEnglish: "Cette page du guide n'existe qu'en anglais.",
+    menu: "Guide",
+    teachers: "Pour les enseignants",
+    isEnglish: "Cette page du guide n’existe qu’en anglais.",
     more: "En savoir plus dans le guide",
   },
   about: version => `À propos de Rosy ${version} : licences`,
@@ -228,11 +228,11 @@ export const page: Omit<
   galleryLead: "Ouvre un exemple, démarre-le, change-le. Ton propre programme est gardé.",
   galleryLoading: "Recherche des exemples…",
   galleryFailed:
-    "Les exemples n'ont pas pu être chargés. Le service de Rosy ne répond pas ; réessaie dans un moment.",
+    "Les exemples n’ont pas pu être chargés. Le service de Rosy ne répond pas ; réessaie dans un moment.",
   exampleLevels: {
     start: "Premiers pas",
     react: "Réagir et se souvenir",
-    tasks: "Une chose après l'autre",
+    tasks: "Une chose après l’autre",
     large: "Programmes plus grands",
   },
   otherExamples: "Autres exemples",
@@ -278,7 +278,7 @@ export const page: Omit<
       ? "La salle est pleine. Ton programme est le prochain."
       : `La salle est pleine. ${count(place - 1, {one: n => `${n} programme passe`, other: n => `${n} programmes passent`})} avant le tien.`,
   roomLabel: world =>
-    `La salle ${world} vue d'en haut, avec le robot. Pendant que le programme tourne, les flèches déplacent le robot, virgule et point le tournent, et B prend plutôt un objet à pousser ; plus et moins changent le zoom, F le suit. W demande pourquoi il bouge ainsi, et P pourquoi il est là.`,
+    `La salle ${world} vue d’en haut, avec le robot. Pendant que le programme tourne, les flèches déplacent le robot, virgule et point le tournent, et B prend plutôt un objet à pousser ; plus et moins changent le zoom, F le suit. W demande pourquoi il bouge ainsi, et P pourquoi il est là.`,
   sight: "Comment voir la salle",
   follow: "Suivre le robot",
   followHint: "Suivre le robot (F)",
@@ -294,7 +294,7 @@ export const page: Omit<
   endFilm: "Terminer le film",
   robots: {
     title: "Quel robot ?",
-    lead: "Le même programme marche sur chacun d'eux.",
+    lead: "Le même programme marche sur chacun d’eux.",
     choose: "Choisir un robot",
     simulated: "Robot simulé",
     simulatedShort: "Simulé",
@@ -304,16 +304,16 @@ export const page: Omit<
     domain: domain => `domaine ROS 2 ${domain}`,
     charge: percent => `batterie ${percent} %`,
     volts: volts => `batterie ${short(volts, 1)} V`,
-    several: "plusieurs robots sur les mêmes topics : donne à chacun un espace de noms (namespace)",
-    discovers: "Un robot sur ROS 2 que l'on allume dans ce réseau apparaît ici tout seul.",
-    yours: "c'est toi qui l'as",
+    several: "plusieurs robots sur les mêmes topics : donne à chacun un espace de noms (namespace)",
+    discovers: "Un robot sur ROS 2 que l’on allume dans ce réseau apparaît ici tout seul.",
+    yours: "c’est toi qui l’as",
     who: "Ton nom, pour que les autres le voient",
     locked: "Les robots sont verrouillés. La personne qui a lancé Rosy peut te dire le code.",
     code: "Code",
     unlock: "Ouvrir",
     take: "Prendre",
     leave: "Lâcher",
-    leaveHint: "Le robot s'arrête, et d'autres peuvent le prendre",
+    leaveHint: "Le robot s’arrête, et d’autres peuvent le prendre",
     link: {connecting: "Recherche…", connected: "Connecté", lost: "Perdu, recherche…"},
     safetyOn: "Recule tout seul",
     safetyOnHint: "Il recule devant les murs et les trous avant que ton programme puisse rouler à nouveau.",
@@ -322,21 +322,21 @@ export const page: Omit<
       "Les règles de sécurité sont désactivées : surveille son chemin. Le bouclier au-dessus de la salle les active.",
     backing: "Recule…",
     limits: speed => `au plus ${short(speed, 2)} m/s`,
-    estop: "Arrêt d'urgence",
+    estop: "Arrêt d’urgence",
     estopHint: "Arrêter le robot tout de suite (Espace)",
     stopped: "Il a été arrêté et ne bouge plus.",
     letDrive: "Le laisser rouler à nouveau",
     region: name => `Le robot ${name}`,
     floor: name =>
-      `Le chemin du robot ${name}, tel qu'il le mesure lui-même ; plus et moins changent le zoom.`,
+      `Le chemin du robot ${name}, tel qu’il le mesure lui-même ; plus et moins changent le zoom.`,
   },
   topics: {
     title: "Messages à la main",
     send: "Envoyer",
-    runFirst: "Appuie d'abord sur Démarrer : seul un programme en marche reçoit des messages",
+    runFirst: "Appuie d’abord sur Démarrer : seul un programme en marche reçoit des messages",
     ofRobot: topic => `Le robot envoie lui-même les messages sur ${topic}.`,
     computed: type =>
-      `Le programme calcule le nom du topic de ${type}, donc il n'y a pas de formulaire : écris le nom en un seul texte.`,
+      `Le programme calcule le nom du topic de ${type}, donc il n’y a pas de formulaire : écris le nom en un seul texte.`,
   },
   safety: {
     name: "Règles de sécurité",
@@ -348,7 +348,7 @@ export const page: Omit<
   blocked: {
     pushes: "Le robot pousse contre quelque chose et ne peut plus avancer.",
     withBumper: "Une fonction qui reçoit Bumper peut le détourner.",
-    withoutBumper: "Il n'a pas de pare-chocs de ce côté : fais-le rouler autrement.",
+    withoutBumper: "Il n’a pas de pare-chocs de ce côté : fais-le rouler autrement.",
   },
   goals: "Buts",
   goalStates: {open: "à faire", done: "réussi", missed: "manqué"},
@@ -381,11 +381,11 @@ export const page: Omit<
   notices: {
     diverged: {
       message: time => `Ton programme modifié fait autre chose à partir de ${time}.`,
-      hint: "Il a tourné du début jusqu'au moment que tu as choisi.",
+      hint: "Il a tourné du début jusqu’au moment que tu as choisi.",
     },
     uncompared: {
       message: time => `Après ${time}, on ne sait pas si ton programme modifié fait autre chose.`,
-      hint: "Les commandes d’une exécution sont gardées pendant une heure environ.",
+      hint: "Les ordres d’une exécution sont gardés pendant une heure environ.",
     },
     notText: {
       message: name => `${name} ne contient pas de texte.`,
@@ -393,8 +393,8 @@ export const page: Omit<
     },
     olderEncoding: {
       message: ({name, encoding, number, line}) =>
-        `${name} est dans l'encodage ${encoding}, pas en UTF-8 : voir la ligne ${number}, « ${line.trim()} ».`,
-      hint: "Si la ligne est juste, lis le fichier ainsi. Rosy l'enregistre en UTF-8.",
+        `${name} est dans l’encodage ${encoding}, pas en UTF-8 : voir la ligne ${number}, « ${line.trim()} ».`,
+      hint: "Si la ligne est juste, lis le fichier ainsi. Rosy l’enregistre en UTF-8.",
       readAs: encoding => `Le lire en ${encoding}`,
     },
     emptyFile: {
@@ -403,7 +403,7 @@ export const page: Omit<
     },
     confusable: {
       message: (name, n, {character, plain, name: called}) =>
-        `${name} : ${count(n, {one: "un caractère a l'air juste et ne l'est pas", other: k => `${k} caractères ont l'air justes et ne le sont pas. Le premier`})} : ${plain.trim() === "" ? `un caractère invisible (${called})` : `‘${character}’ (${called}) au lieu de ‘${plain}’`}.`,
+        `${name} : ${count(n, {one: "un caractère a l’air juste et ne l’est pas", other: k => `${k} caractères ont l’air justes et ne le sont pas. Le premier`})} : ${plain.trim() === "" ? `un caractère invisible (${called})` : `‘${character}’ (${called}) au lieu de ‘${plain}’`}.`,
       hint: "Les commentaires et les textes entre guillemets restent comme ils sont.",
       repair: "Réparer",
     },
@@ -412,9 +412,9 @@ export const page: Omit<
       hint: unread =>
         unread === 0
           ? "Choisis-en un."
-          : `Choisis-en un. ${count(unread, {one: "Un autre n'a pas pu être lu", other: n => `${n} autres n'ont pas pu être lus`})}.`,
+          : `Choisis-en un. ${count(unread, {one: "Un autre n’a pas pu être lu", other: n => `${n} autres n’ont pas pu être lus`})}.`,
     },
-    noPrograms: name => `Il n'y a pas de programmes dans ${name}.`,
+    noPrograms: name => `Il n’y a pas de programmes dans ${name}.`,
     tooManyFiles: {
       message: name => `${name} contient trop de choses.`,
       hint: "Rosy regarde au plus 2 000 fichiers et 20 millions de caractères. Dépose le dossier où se trouve ton programme.",
@@ -423,15 +423,15 @@ export const page: Omit<
       message: name => `${name} ne peut pas être décompressé.`,
       hint: "Il est abîmé ou protégé par un mot de passe. Décompresse-le sur ton ordinateur et dépose le dossier.",
     },
-    notProgram: name => `${name} n'est pas un programme.`,
+    notProgram: name => `${name} n’est pas un programme.`,
     tooLarge: {
       message: name => `${name} est trop grand.`,
       hint: "Un programme a au plus 200 000 caractères. Le tien est toujours ouvert.",
     },
-    notWorld: name => `${name} n'est pas une salle que Rosy peut utiliser.`,
+    notWorld: name => `${name} n’est pas une salle que Rosy peut utiliser.`,
     exampleMissing: {
-      message: name => `Il n'y a pas d'exemple ${name}.`,
-      hint: "« Exemples », en haut, montre ceux qui existent.",
+      message: name => `Il n’y a pas d’exemple ${name}.`,
+      hint: "« Exemples », en haut, montre ceux qui existent.",
     },
     noFilm: {
       message: "Le film est vide.",
@@ -443,7 +443,7 @@ export const page: Omit<
     },
     noReader: {
       message: "Il manque une partie de la page.",
-      hint: "Recharge la page ; rien de ton travail n'est perdu.",
+      hint: "Recharge la page ; rien de ton travail n’est perdu.",
     },
     notFormatted: {
       message: left =>
@@ -451,11 +451,11 @@ export const page: Omit<
           one: n => `${n} définition est restée comme elle était.`,
           other: n => `${n} définitions sont restées comme elles étaient.`,
         }),
-      hint: "Quelque chose n'y est pas terminé, ou la mise en forme aurait perdu quelque chose.",
+      hint: "Quelque chose n’y est pas terminé, ou la mise en forme aurait perdu quelque chose.",
     },
     otherMeaning: {
       message: name =>
-        `Le texte Haskell de ${name} ne peut pas dire exactement ce changement des blocs. Il n'a pas été fait.`,
+        `Le texte Haskell de ${name} ne peut pas dire exactement ce changement des blocs. Il n’a pas été fait.`,
       hint: "Fais le changement dans le texte Haskell, ou construis cet endroit autrement.",
     },
     groupedOtherwise: {
@@ -468,29 +468,29 @@ export const page: Omit<
     },
     unfinishedText: {
       message: name =>
-        `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n'a pas été fait.`,
+        `Pas encore terminé dans le texte Haskell : ${name}. Ce changement des blocs n’a pas été fait.`,
       hint: "Termine la ligne dans le texte ou appuie sur Annuler, puis change les blocs. Les blocs que le texte dit déjà peuvent être changés.",
     },
     progressNotSaved: {
-      message: "Ce navigateur n'a plus de place pour garder où tu en es dans la leçon.",
-      hint: "Supprime des programmes dans « Mes programmes », puis fais l'étape suivante. Ton programme n'est pas concerné.",
+      message: "Ce navigateur n’a plus de place pour garder où tu en es dans la leçon.",
+      hint: "Supprime des programmes dans « Mes programmes », puis fais l’étape suivante. Ton programme n’est pas concerné.",
     },
     notSaved: {
-      message: "Ce navigateur n'a plus de place pour garder ton programme.",
-      hint: "Supprime des programmes dans « Mes programmes », ou enregistre celui-ci dans un fichier avec le menu en haut à droite.",
+      message: "Ce navigateur n’a plus de place pour garder ton programme.",
+      hint: "Supprime des programmes dans « Mes programmes », ou enregistre celui-ci dans un fichier avec le menu en haut à droite.",
     },
     madeWay: {
       message: names =>
-        `Ce navigateur est plein : Rosy a retiré pour de bon ces programmes supprimés : ${names}.`,
-      hint: "Supprime les programmes dont tu n'as plus besoin, et enregistre dans des fichiers ce que tu veux garder.",
+        `Ce navigateur est plein : Rosy a retiré pour de bon ces programmes supprimés : ${names}.`,
+      hint: "Supprime les programmes dont tu n’as plus besoin, et enregistre dans des fichiers ce que tu veux garder.",
     },
     robotGone: {
-      message: name => `Tu n'as plus ${name}.`,
+      message: name => `Tu n’as plus ${name}.`,
       hint: "Reprends-le quand tu en as besoin.",
     },
     outOfSight: {
-      message: name => `${name} a été arrêté, car cette page n'était pas visible.`,
-      hint: "Garde la page visible tant qu'un vrai robot roule.",
+      message: name => `${name} a été arrêté, car cette page n’était pas visible.`,
+      hint: "Garde la page visible tant qu’un vrai robot roule.",
     },
     damagedLink: {
       message: "Ce lien est abîmé.",
@@ -498,7 +498,7 @@ export const page: Omit<
     },
     becameTwo: {
       message: name => `${name === "" ? "Ton programme" : name} a été changé dans deux onglets à la fois.`,
-      hint: copy => `Maintenant, il y en a deux : celui-ci s'appelle ${copy}.`,
+      hint: copy => `Maintenant, il y en a deux : celui-ci s’appelle ${copy}.`,
     },
     noStorage: {
       message: "Ce navigateur ne garde rien pour cette page.",

@@ -25,15 +25,15 @@ export const preview: Words["preview"] = {
   bump: n => (n === 1 ? "se cognerait une fois" : `se cognerait ${n} fois`),
   goals: (done, all) =>
     all === 1 ? "atteindrait le but" : `atteindrait ${done} but${done < 2 ? "" : "s"} sur ${all}`,
-  noGoal: all => (all === 1 ? "manquerait le but" : "n'atteindrait aucun but"),
+  noGoal: all => (all === 1 ? "manquerait le but" : "n’atteindrait aucun but"),
   unrepeatable:
     "Trop de choses ont été faites à la main pour montrer où mène un changement. Démarre encore une fois.",
   /// The preview is shorter than the run.
-  cut: time => `Seules les premières ${time} sont montrées : calculer plus prend trop de temps.`,
-  fails: time => `s'arrêterait avec une erreur après ${time}`,
+  cut: time => `Seules les premières ${time} sont montrées : calculer plus prend trop de temps.`,
+  fails: time => `s’arrêterait avec une erreur après ${time}`,
   fixes: "Façons de le corriger",
   outcome: {
-    trembles: n => `tremble contre le mur : se cogne ${n} fois`,
+    trembles: n => `tremble contre le mur : se cogne ${n} fois`,
     stands: "reste immobile",
     turns: "tourne sur place",
     drives: distance => `roule ${distance} sans se cogner`,
@@ -46,9 +46,9 @@ export const preview: Words["preview"] = {
       down: "repart vers le bas",
     },
     goals: n => (n === 1 ? "atteint un but" : `atteint ${n} buts`),
-    fails: time => `s'arrête sur une erreur après ${time}`,
+    fails: time => `s’arrête sur une erreur après ${time}`,
     noBetter: "pas mieux que maintenant",
-    trying: "à l'essai…",
+    trying: "à l’essai…",
   },
-  noneBetter: "Rosy a essayé la correction toute prête dans cette salle : ce n'est pas mieux.",
+  noneBetter: "Rosy a essayé la correction toute prête dans cette salle : ce n’est pas mieux.",
 }

@@ -6,7 +6,7 @@ export const recordings: Words["recordings"] = {
   open: "Ouvrir un enregistrement…",
   openHint: "Une exécution sur un vrai robot, en fichier MCAP sur cet ordinateur",
   again: "Revoir cette exécution",
-  where: file => `Cette exécution est enregistrée sur l’ordinateur de Rosy : ${file}`,
+  where: file => `Cette exécution est enregistrée sur l’ordinateur de Rosy : ${file}`,
   run: number => `Exécution ${number}, enregistrée`,
   on: robot => `sur le robot ${robot}`,
   tooLarge: name => `${name} est trop grand pour l’enregistrement d’une exécution.`,
@@ -14,5 +14,5 @@ export const recordings: Words["recordings"] = {
   notConnected: "Rosy est injoignable. Ouvre l’enregistrement quand il sera revenu.",
   driving: "Un robot roule. Arrête-le, puis ouvre l’enregistrement.",
   refused:
-    "Le programme de cet enregistrement vient d’une autre version de Rosy ; l’exécution ne peut donc pas être montrée.",
+    "Le programme de cet enregistrement vient d’une autre version de Rosy ; l’exécution ne peut donc pas être montrée.",
 }

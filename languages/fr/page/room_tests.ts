@@ -8,7 +8,7 @@ const {short, seconds, metres, count} = measuresOf("fr")
 export const roomTests: Words["roomTests"] = {
   menu: "Tester dans plusieurs salles…",
   title: "Tester dans plusieurs salles",
-  lead: "Ton programme marche-t-il dans des salles qu'il n'a jamais vues ?",
+  lead: "Ton programme marche-t-il dans des salles qu’il n’a jamais vues ?",
   hold: "Ceci doit être vrai dans chaque salle :",
   properties: {
     "reaches-goal": "Il atteint le but",
@@ -24,17 +24,17 @@ export const roomTests: Words["roomTests"] = {
     obstacles: "avec des obstacles",
     maze: "labyrinthes",
     pits: "avec des trous",
-    like: "comme la salle d'ici",
+    like: "comme la salle d’ici",
   },
   howMany: "Combien",
   start: "Tester",
-  otherRooms: "Tester dans d'autres salles",
+  otherRooms: "Tester dans d’autres salles",
   cancel: "Arrêter le test",
   noProperty: "Choisis quelque chose qui doit être vrai.",
-  noConnection: "Rosy n'est pas connecté. Il réessaie tout seul.",
+  noConnection: "Rosy n’est pas connecté. Il réessaie tout seul.",
   lost: "La connexion est perdue, et le test avec elle. Réessaie.",
   waiting: "Le test commence…",
-  queued: place => `D'autres sont en train de tester. Ta place dans la file : ${place}.`,
+  queued: place => `D’autres sont en train de tester. Ta place dans la file : ${place}.`,
   progress: (done, rooms, passed) =>
     `${done} sur ${count(rooms, {one: n => `${n} salle`, other: n => `${n} salles`})}, ${count(passed, {one: n => `${n} réussie`, other: n => `${n} réussies`})}`,
   shrinking: tried =>
@@ -49,13 +49,13 @@ export const roomTests: Words["roomTests"] = {
     things === 0
       ? "Cela échoue même quand la salle est vide."
       : things === of
-        ? "Il n'y a rien à y enlever."
+        ? "Il n’y a rien à y enlever."
         : `Sur ${of} objets, ${count(things, {one: "un seul suffit", other: n => `${n} suffisent`})} pour cela.`,
   openSmallest: "Ouvrir et démarrer",
-  failures: "Salles où cela échoue, la pire d'abord",
+  failures: "Salles où cela échoue, la pire d’abord",
   picture: "Image",
   room: "Salle",
-  what: "Ce qui s'est passé",
+  what: "Ce qui s’est passé",
   open: "Ouvrir et démarrer",
   openNamed: room => `Ouvrir la salle ${room} et démarrer`,
   more: n =>
@@ -68,7 +68,7 @@ export const roomTests: Words["roomTests"] = {
     "reaches-goal": share => `Il a fait ${short(share * 100, 0)} % du chemin vers le but.`,
     "never-falls": time => `Il est tombé après ${seconds(time, 1)}.`,
     "never-pushes": (push, time) =>
-      `Il a poussé pendant ${seconds(push, 1)}, jusqu'à ${seconds(time, 1)} après le départ.`,
+      `Il a poussé pendant ${seconds(push, 1)}, jusqu’à ${seconds(time, 1)} après le départ.`,
     "returns-to-start": distance =>
       distance === 0
         ? "Il est resté près de son départ."

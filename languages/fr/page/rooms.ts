@@ -15,7 +15,7 @@ export const world: Words["world"] = {
   choose: name => `Salle où rouler : ${name}`,
   change: "Modifier cette salle",
   /// Title of a room of the gallery that the learner has changed.
-  changed: room => `${room}, modifié`,
+  changed: room => `${room}, modifiée`,
   title: "Modifier cette salle",
   done: "Terminé",
   leave: "Laisser comme avant",
@@ -32,7 +32,7 @@ export const world: Words["world"] = {
     floor: "Sol",
     reach: "Viens ici",
     touch: "Touche ici",
-    avoid: "N'approche pas",
+    avoid: "N’approche pas",
     visit: "Visite tout",
     lap: "Ligne de tour",
     draw: "Dessine ceci",
@@ -40,9 +40,9 @@ export const world: Words["world"] = {
   toolHints: {
     choose:
       "Fais glisser les objets pour les déplacer. Tire sur une poignée pour les changer ou les tourner.",
-    wall: "Fais glisser d'un bout du mur à l'autre.",
-    box: "Fais glisser d'un coin à l'autre. Un cube fixe reste où il est.",
-    crate: "Fais glisser d'un coin à l'autre. Le robot peut pousser cette caisse.",
+    wall: "Fais glisser d’un bout du mur à l’autre.",
+    box: "Fais glisser d’un coin à l’autre. Un cube fixe reste où il est.",
+    crate: "Fais glisser d’un coin à l’autre. Le robot peut pousser cette caisse.",
     round: "Fais glisser du milieu vers le bord. Un poteau reste où il est.",
     drum: "Fais glisser du milieu vers le bord. Le robot peut pousser ce tonneau.",
     solid: "Fais glisser sur le sol pour remplir des cases de mur.",
@@ -56,20 +56,20 @@ export const world: Words["world"] = {
     draw: "Dessine le chemin que le robot doit suivre, ou clique sur ses coins.",
   },
   sheetLabel:
-    "La salle vue d'en haut. Les flèches déplacent ce qui est choisi, ou une croix ; Entrée commence et termine un dessin ; virgule et point tournent ; Suppr enlève.",
+    "La salle vue d’en haut. Les flèches déplacent ce qui est choisi, ou une croix ; Entrée commence et termine un dessin ; virgule et point tournent ; Suppr enlève.",
   aimAt: at => `À ${place(at)}`,
   startFaults: {
-    outside: "Le robot partirait de l'extérieur de la salle. Déplace-le avant de continuer.",
-    wall: "Le robot partirait de l'intérieur d'un mur ; il a besoin de 0,35 mètre de sol libre. Déplace-le avant de continuer.",
-    hole: "Le robot partirait au-dessus d'un trou ; il a besoin de sol sous lui. Déplace-le avant de continuer.",
+    outside: "Le robot partirait de l’extérieur de la salle. Déplace-le avant de continuer.",
+    wall: "Le robot partirait de l’intérieur d’un mur ; il a besoin de 0,35 mètre de sol libre. Déplace-le avant de continuer.",
+    hole: "Le robot partirait au-dessus d’un trou ; il a besoin de sol sous lui. Déplace-le avant de continuer.",
   },
   refused: {
     things: (most: number) =>
-      `Une salle peut contenir au plus ${most} murs, boîtes et poteaux. Supprime quelque chose avant d'en dessiner d'autres.`,
+      `Une salle peut contenir au plus ${most} murs, caisses et poteaux. Supprime quelque chose avant d’en dessiner d’autres.`,
     movable: (most: number) =>
       `Dans une salle, au plus ${most} choses peuvent être poussées. Supprimes-en une, ou dessine une chose fixe.`,
     goals: (most: number) =>
-      `Une salle peut avoir au plus ${most} buts. Supprimes-en un avant d'en ajouter un autre.`,
+      `Une salle peut avoir au plus ${most} buts. Supprimes-en un avant d’en ajouter un autre.`,
   },
   snap: "Aligner sur la grille",
   room: "Cette salle",
@@ -86,7 +86,7 @@ export const world: Words["world"] = {
   delete: "Enlever",
   duplicate: "Un de plus",
   things: "Dans cette salle",
-  goalTitle: "Ce qu'il faut faire",
+  goalTitle: "Ce qu’il faut faire",
   tolerance: "À quelle distance",
   laps: "Tours",
   timed: "En un temps donné",
@@ -103,9 +103,9 @@ export const world: Words["world"] = {
   unknown: n => `Zone inconnue ${n}`,
   round: (n, movable) => `${movable ? "Tonneau" : "Poteau"} ${n}`,
   goals: {
-    reach: "Viens à l'endroit",
-    touch: "Touche l'objet",
-    avoid: "N'approche pas",
+    reach: "Viens à l’endroit",
+    touch: "Touche l’objet",
+    avoid: "N’approche pas",
     visit: "Visite tous les endroits",
     lap: "Fais un tour",
     draw: "Dessine la figure",

@@ -6,7 +6,7 @@ const {seconds, count} = measuresOf("fr")
 
 export const runs = {
   show: "Montrer les exécutions dans cette salle",
-  empty: "Lance le programme : chaque exécution est gardée ici, avec une image de son chemin.",
+  empty: "Lance le programme : chaque exécution est gardée ici, avec une image de son chemin.",
   choose: "Choisis une exécution pour la revoir.",
   isRunning: "Arrête le programme pour voir une autre exécution.",
   run: (number: number) => `Exécution ${number}`,
@@ -17,7 +17,7 @@ export const runs = {
   changes: {
     same: "le même programme",
     layout: "seulement des commentaires ou la mise en page",
-    value: (name: string, before: string, after: string) => `${name}: ${before} → ${after}`,
+    value: (name: string, before: string, after: string) => `${name} : ${before} → ${after}`,
     added: {
       function: (name: string) => `nouvelle fonction ${name}`,
       type: (name: string) => `nouveau type ${name}`,

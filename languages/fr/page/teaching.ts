@@ -15,7 +15,7 @@ export const teaching: TeachingWords = {
     wrong: "Ce qui ne va pas",
     nearMisses:
       "Quelques essais qui ne réussissent pas, avec les lignes qui comptent et ce que la page en dit :",
-    says: (check, seen) => `« ${check} » n’est pas fait. ${seen}`,
+    says: (check, seen) => `« ${check} » n’est pas fait. ${seen}`,
     solutions: "Solutions qui réussissent",
     others: "D’autres réussissent aussi :",
   },
@@ -31,7 +31,7 @@ export const teaching: TeachingWords = {
       "Rien ; les élèves frappent dans les mains.",
       "Le projecteur, pour **Pourquoi ?**.",
       "Un jouet à soulever, s’il y en a un. Choisir les projets.",
-      "Test 1 sur papier, 20 minutes. Un billet et un crayon pour la « mémoire ».",
+      "Test 1 sur papier, 20 minutes. Un bout de papier et un crayon pour la « mémoire ».",
       "Trois cartes : Go, Back, Turn.",
       "Un dé pour deux élèves.",
       "Une recette de cuisine.",
@@ -39,7 +39,7 @@ export const teaching: TeachingWords = {
       "Test 2, le concours, et les projets sont montrés.",
     ],
     strand: (page, week) =>
-      `**Avec les mathématiques :** dès la semaine ${week}, on peut ajouter la série [Algèbre](${page}), aussi en cours de mathématiques :`,
+      `**Avec les mathématiques :** dès la semaine ${week}, on peut ajouter la série [Algèbre](${page}), aussi en cours de mathématiques :`,
     after: projects =>
       `**Si le temps manque :** laisser la troisième leçon des semaines 6, 8, 9 et 11. **Si une classe est rapide :** commencer les [projets](${projects}) en semaine 5. Une leçon qui n’est pas finie s’ouvre la fois suivante à la même étape.`,
   },
@@ -116,7 +116,7 @@ export const teaching: TeachingWords = {
       ],
     },
     bump: {
-      often: "Un choc, ce sont deux événements, appuyé et relâché ; on entend donc deux sons.",
+      often: "Un choc, ce sont deux événements, enfoncé et relâché ; on entend donc deux sons.",
       ask: [
         "Combien d’événements y a-t-il eu ?",
         "Qu’envoie `Nothing` ?",
@@ -146,7 +146,7 @@ export const teaching: TeachingWords = {
     },
     "one-or-the-other": {
       often:
-        "`Either` est lu comme « quand les deux se sont produits ». La fonction répond à chacun dès qu’il arrive.",
+        "`Either` est lu comme « quand les deux se sont produits ». La fonction répond à chacun dès qu’il arrive.",
       ask: [
         "Lequel des deux était-ce ?",
         "À quoi la fonction voit-elle la différence ?",
@@ -163,11 +163,11 @@ export const teaching: TeachingWords = {
     },
     "wire-a-reflex": {
       often:
-        "On s’attend à ce que le deuxième fil vers le même actionneur gagne. Les deux envoient ; il faut dire lequel passe d’abord.",
+        "On s’attend à ce que le deuxième fil vers le même actionneur gagne. Les deux envoient ; il faut dire lequel passe d’abord.",
       ask: [
-        "Quels capteurs arrivent aux roues ?",
-        "Qu’est-ce qui est dans le schéma, et qu’est-ce qui n’est que dans la fonction ?",
-        "D’où partirait un troisième fil vers `Velocity`, et qui devrait alors passer d’abord ?",
+        "Quels capteurs arrivent aux roues ?",
+        "Qu’est-ce qui est dans le schéma, et qu’est-ce qui n’est que dans la fonction ?",
+        "D’où partirait un troisième fil vers `Velocity`, et qui devrait alors passer d’abord ?",
       ],
     },
     "stop-before-the-wall": {
@@ -216,11 +216,11 @@ export const teaching: TeachingWords = {
     },
     "three-states": {
       often:
-        "L’état est cherché dans une fonction. Il est dans la mémoire ; les fonctions la lisent et l’écrivent.",
+        "L’état est cherché dans une fonction. Il est dans la mémoire ; les fonctions la lisent et l’écrivent.",
       ask: [
-        "Quelle flèche manque à la machine ?",
-        "Dessine les trois états comme des cercles : quel capteur est à quelle flèche ?",
-        "Que fait le bouton dans `Go` ?",
+        "Quelle flèche manque à la machine ?",
+        "Dessine les trois états comme des cercles : quel capteur est à quelle flèche ?",
+        "Que fait le bouton dans `Go` ?",
       ],
     },
     "my-own-event": {
@@ -267,7 +267,7 @@ export const teaching: TeachingWords = {
       ],
     },
     "a-task-that-answers": {
-      often: "Le robot dit le texte « distance » au lieu du nombre, ou des mètres au lieu de centimètres.",
+      often: "Le robot dit le texte « distance » au lieu du nombre, ou des mètres au lieu de centimètres.",
       ask: [
         "D’où vient le résultat ?",
         "Peut-il changer plus tard ?",
@@ -306,7 +306,7 @@ export const teaching: TeachingWords = {
       ask: [
         "Quelle équation le robot a-t-il résolue ?",
         "Que fait un graphe plus raide ?",
-        "Portez le robot au-delà du zéro : où va-t-il ?",
+        "Porte le robot au-delà du zéro : où va-t-il ?",
       ],
     },
     "a-graph-in-pieces": {

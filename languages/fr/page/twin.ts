@@ -9,12 +9,12 @@ const at = (time: number | null) => (time === null ? "jamais" : `à ${seconds(ti
 
 export const twin: Words["twin"] = {
   show: "Simulateur à côté",
-  hint: "Le même programme conduit aussi le robot simulé dans la salle choisie : les deux chemins, les courbes et ce qui était différent",
+  hint: "Le même programme conduit aussi le robot simulé dans la salle choisie : les deux chemins, les courbes et ce qui était différent",
   real: n => `Exécution ${n}, réelle`,
   simulated: n => `Exécution ${n}, simulée`,
   names: {real: "réel", simulated: "simulé"},
-  sentence: (time, what) => `Après ${seconds(time, 1)} : le vrai robot ${list.format(what)}.`,
-  same: time => `Après ${seconds(time, 1)} : le vrai robot et le robot simulé ont fait la même chose.`,
+  sentence: (time, what) => `Après ${seconds(time, 1)} : le vrai robot ${list.format(what)}.`,
+  same: time => `Après ${seconds(time, 1)} : le vrai robot et le robot simulé ont fait la même chose.`,
   turned: {
     more: angle => `a tourné de ${angle} de plus`,
     less: angle => `a tourné de ${angle} de moins`,
@@ -24,8 +24,8 @@ export const twin: Words["twin"] = {
   drove: {further: way => `a roulé ${way} de plus`, less: way => `a roulé ${way} de moins`},
   apart: way => `était à ${way} du robot simulé`,
   felt: {
-    Bumper: ([real, simulated]) => `a heurté quelque chose : ${at(real)} (le simulé : ${at(simulated)})`,
-    Cliff: ([real, simulated]) => `est arrivé à un bord : ${at(real)} (le simulé : ${at(simulated)})`,
-    Wheel: ([real, simulated]) => `a eu une roue en l’air : ${at(real)} (le simulé : ${at(simulated)})`,
+    Bumper: ([real, simulated]) => `a heurté quelque chose : ${at(real)} (le simulé : ${at(simulated)})`,
+    Cliff: ([real, simulated]) => `est arrivé à un bord : ${at(real)} (le simulé : ${at(simulated)})`,
+    Wheel: ([real, simulated]) => `a eu une roue en l’air : ${at(real)} (le simulé : ${at(simulated)})`,
   },
 }

@@ -101,7 +101,7 @@ export const worksheets: WorksheetWords = {
       unplugged: {
         title: "un orchestre",
         steps: [
-          "Trois élèves reçoivent une carte : frapper dans les mains, taper du pied, fredonner. Tous commencent au mot « départ ».",
+          "Trois élèves reçoivent une carte : frapper dans les mains, taper du pied, fredonner. Tous commencent au mot « départ ».",
           "Ils se placent dans un autre ordre et recommencent. Qu’est-ce qui a changé ? (Rien.)",
           "Donner à un élève deux cartes impossibles ensemble : assis, debout. Que se passe-t-il ?",
         ],
@@ -118,7 +118,7 @@ export const worksheets: WorksheetWords = {
       unplugged: {
         title: "une machine à nombres",
         steps: [
-          "Un élève derrière une table est une machine : un nombre entre sur un billet, et ressort plus 2.",
+          "Un élève derrière une table est une machine : un nombre entre sur un papier, et ressort plus 2.",
           "Ce qui sort entre de nouveau. La classe devine le nombre après cinq fois.",
           "D’autres règles : doubler, enlever un. Laquelle devient grande le plus vite ?",
         ],
@@ -136,7 +136,7 @@ export const worksheets: WorksheetWords = {
         title: "la classe décide",
         steps: [
           "Un élève marche. Après chaque pas, il dit à voix haute combien de pas il a faits.",
-          "La classe est la fonction et répond chaque fois : « moins de 5 : avance, sinon : reste là ».",
+          "La classe est la fonction et répond chaque fois : « moins de 5 : avance, sinon : reste là ».",
           "On recule l’élève de deux pas, et on continue. Que répond la classe maintenant ?",
         ],
       },
@@ -153,7 +153,7 @@ export const worksheets: WorksheetWords = {
         title: "frapper ou rien",
         steps: [
           "Lever une carte et la baisser : ce sont deux événements. La classe répond à chacun en frappant dans les mains.",
-          "Nouvelle règle : frapper quand la carte monte, rien quand elle descend. « Rien » est aussi une réponse.",
+          "Nouvelle règle : frapper quand la carte monte, rien quand elle descend. « Rien » est aussi une réponse.",
           "Qui frappe tant que la carte est en l’air a pris un événement pour un état.",
         ],
       },
@@ -172,9 +172,9 @@ export const worksheets: WorksheetWords = {
       unplugged: {
         title: "la poste",
         steps: [
-          "Des boîtes sont en rang : « lettres rouges », « lettres pour Ada », « toutes les autres ». Une lettre va dans la première boîte qui convient.",
+          "Des boîtes sont en rang : « lettres rouges », « lettres pour Ada », « toutes les autres ». Une lettre va dans la première boîte qui convient.",
           "Triez dix lettres. Où va une lettre rouge pour Ada ?",
-          "Mettez « toutes les autres » en premier et triez de nouveau. Qu’y a-t-il dans les autres boîtes ?",
+          "Mettez « toutes les autres » en premier et triez de nouveau. Qu’y a-t-il dans les autres boîtes ?",
         ],
       },
     },

@@ -79,7 +79,7 @@ export const sentences: Pick<
   fits: {
     thisBlockIsGone: "Este bloco não existe mais.",
     aBlockCannotGoInsideItself: "Um bloco não cabe dentro dele mesmo.",
-    rosyDoesNotKnowThisKind: "Rosy não conhece este tipo de bloco.",
+    rosyDoesNotKnowThisKind: "O Rosy não conhece este tipo de bloco.",
     hereGoes: (wanted, makes) => `Aqui vai ${wanted}, e este bloco ${makes}.`,
     places: {
       expression: "um valor",
@@ -174,7 +174,7 @@ export const sentences: Pick<
     thisFileIsNotAWholeRosy: "Este arquivo não é um projeto Rosy completo.",
     itMayHaveBeenCutOffOpen: "Talvez esteja cortado; abra uma cópia que foi salva por inteiro.",
     thisFileIsNotARosyProject: "Este arquivo não é um projeto Rosy.",
-    aProjectIsAFileThatRosy: "Um projeto é um arquivo que Rosy salvou e que termina em .rosy.",
+    aProjectIsAFileThatRosy: "Um projeto é um arquivo que o Rosy salvou e que termina em .rosy.",
     atRosyExpectedFound: (version, it) => `em rosy: esperava ${version}, encontrou ${it}.`,
     thisProjectWasSavedByANewer: "Este projeto foi salvo por um Rosy mais novo.",
     itsVersionIsAndThisRosyReads: (rosy, version) =>
@@ -188,7 +188,7 @@ export const sentences: Pick<
   },
   program: {
     this: "isto",
-    thisBlockIsOfAKind: "Rosy não conhece este tipo de bloco.",
+    thisBlockIsOfAKind: "O Rosy não conhece este tipo de bloco.",
     thisBlockBelongsToNoFunctionSo: "Este bloco não pertence a nenhuma função, por isso não faz nada.",
     itMayComeFromANewerVersion: "Talvez venha de uma versão mais nova.",
     putItIntoASocketOrThrow: "Ponha-o em um encaixe, ou jogue-o fora.",

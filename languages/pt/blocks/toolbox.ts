@@ -40,7 +40,7 @@ export const toolbox: Words["toolbox"] = {
     penWidth: "largura da caneta",
     driveBack: "recue 1 segundo",
     keepBack: "recue sem parar",
-    turnBetween: "vire um ângulo ao acaso",
+    turnBetween: "gire um ângulo ao acaso",
     goTo: "vá ao lugar 1 m à frente, 0,5 m à esquerda",
     dock: "entre na base de carga",
     undock: "saia da base de carga",

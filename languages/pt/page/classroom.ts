@@ -40,7 +40,7 @@ export const classroom: Words["classroom"] = {
     "nickname-empty": "Um apelido precisa de pelo menos uma letra ou um algarismo.",
     "nickname-long": "Um apelido tem no máximo 24 letras.",
     "nickname-letters": "Este apelido tem caracteres que não dá para ver ou ler. Use letras e algarismos.",
-    key: "Esta não é a chave do professor. Ela está no terminal em que Rosy foi iniciado.",
+    key: "Esta não é a chave do professor. Ela está no terminal em que o Rosy foi iniciado.",
   },
   wordsTitle: "Suas três palavras",
   wordsLead: "Anote estas palavras. Com elas e o código da turma você continua em outro aparelho.",
@@ -129,10 +129,10 @@ export const classroom: Words["classroom"] = {
   openBoard: "Painel do professor",
   board: {
     title: "Painel do professor",
-    lead: "Digite a chave do professor. Ela está no terminal em que Rosy foi iniciado.",
+    lead: "Digite a chave do professor. Ela está no terminal em que o Rosy foi iniciado.",
     key: "Chave do professor",
     open: "Abrir o painel",
-    lost: "Sem conexão com Rosy. Tentando de novo…",
+    lost: "Sem conexão com o Rosy. Tentando de novo…",
     store: {
       disk: "Nada pode ser salvo agora: o disco da turma está cheio ou com defeito. Libere espaço nele. Os programas ficam nos navegadores e são enviados de novo.",
       database:
@@ -163,7 +163,7 @@ export const classroom: Words["classroom"] = {
     selectNone: "Não selecionar ninguém",
     roomOf: name => `A sala de “${name}”`,
     sent: pages => (pages === 1 ? "Enviado a 1 página." : `Enviado a ${pages} páginas.`),
-    rosy: "Abrir Rosy",
+    rosy: "Abrir o Rosy",
     needs: {
       hand: "Mão levantada",
       error: "Um erro há um minuto",
@@ -202,7 +202,7 @@ export const classroom: Words["classroom"] = {
       deadline: "Esse prazo já passou. Escolha um mais tarde.",
       tasks: "Esta turma tem 200 trabalhos, o máximo possível.",
       comments: "Há 200 comentários para este aluno, o máximo. Retire alguns.",
-      disk: "Rosy não consegue guardar: o disco está cheio ou com defeito.",
+      disk: "O Rosy não consegue guardar: o disco está cheio ou com defeito.",
       database: "O banco de dados da turma não responde. Tente de novo daqui a pouco.",
       busy: "Este aluno já foi perguntado ou já edita em conjunto, em outro painel.",
       away: "Este aluno não está conectado. Pergunte de novo mais tarde.",
@@ -328,7 +328,7 @@ export const classroom: Words["classroom"] = {
       cancel: "Parar o teste",
       progress: (done, of, rooms) => `${done} de ${of} programas testados, salas experimentadas: ${rooms}`,
       refused:
-        "Este teste não é possível nessas salas: o robô não consegue chegar aos objetivos, ou não há um lugar a alcançar.",
+        "Este teste não é possível nessas salas: o robô não consegue chegar às metas, ou não há um lugar a alcançar.",
       results: "Como os programas se saíram, o pior primeiro",
       passed: "Salas com sucesso",
       of: (passed, rooms) => `${passed} de ${rooms}`,

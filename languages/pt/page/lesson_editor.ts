@@ -58,7 +58,7 @@ export const lessonEditor: Words["lessonEditor"] = {
   checks: {
     at: "O robô está em um lugar nesse momento",
     faces: "Ele olha para um lugar nesse momento",
-    goals: "Todos os objetivos da sala foram cumpridos",
+    goals: "Todas as metas da sala foram alcançadas",
     moves: "Ele andou essa distância",
     farthest: "O robô se afasta tanto assim do começo",
     back: "O robô está de volta ao começo",
@@ -97,8 +97,8 @@ export const lessonEditor: Words["lessonEditor"] = {
     takes: "Ela recebe (tipos, com vírgulas)",
     gives: "Ela envia (tipos, com vírgulas)",
   },
-  place: n => `Objetivo ${n}`,
-  noPlace: "A sala não tem objetivo aonde ir. Ponha um: Mudar a sala.",
+  place: n => `Meta ${n}`,
+  noPlace: "A sala não tem meta aonde ir. Ponha uma: Mudar a sala.",
   amount: "Quanto",
   value: n => `Valor ${n}`,
   comparisons: {any: "qualquer", equal: "exatamente", unequal: "não", more: "mais que", less: "menos que"},
@@ -120,11 +120,11 @@ export const lessonEditor: Words["lessonEditor"] = {
     findings: {
       "no-solution": "Ainda não há solução; por isso não se sabe se a lição tem solução.",
       "solution-misses": (step, check) => `A solução não passa na verificação ${check} do passo ${step}.`,
-      "solution-broken": step => `A solução do passo ${step} não roda:`,
+      "solution-broken": step => `A solução do passo ${step} não pode ser executada:`,
       "wrong-passes": (step, check, n) =>
         `Passo ${step}: a tentativa errada ${n} passa na verificação ${check}, em que deveria falhar.`,
       "wrong-broken": (step, check, n) =>
-        `Passo ${step}: a tentativa errada ${n} da verificação ${check} não roda:`,
+        `Passo ${step}: a tentativa errada ${n} da verificação ${check} não pode ser executada:`,
     },
   },
   missing: "Ainda falta:",

@@ -147,8 +147,8 @@ export const page: Omit<
     "Control character": "Caractere invisível",
   },
   showIt: "Mostrar",
-  nothingRuns: name => `Nada roda ainda. Rodar \`${name}\`?`,
-  runIt: name => `Rodar ${name}`,
+  nothingRuns: name => `Nada é executado ainda. Executar \`${name}\`?`,
+  runIt: name => `Executar ${name}`,
   readMore: "Ler mais",
   fromToolbox: "Da caixa de ferramentas",
   writeType: signature => `Escrever o tipo: ${signature}`,
@@ -167,7 +167,7 @@ export const page: Omit<
     making: "Preparando o link…",
     reach: {
       network:
-        "O endereço desta página leva só a este computador. O link tem em vez disso o endereço dele na rede: outras pessoas podem abri-lo enquanto o Rosy roda aqui.",
+        "O endereço desta página leva só a este computador. O link tem em vez disso o endereço dele na rede: outras pessoas podem abri-lo enquanto o Rosy estiver em execução aqui.",
       computer:
         "Este link leva só a este computador. Para outras pessoas salve o programa como arquivo, ou inicie o Rosy com `--host 0.0.0.0` e compartilhe de novo.",
     },
@@ -206,8 +206,8 @@ export const page: Omit<
     lead: "Todo programa em Haskell conhece estes nomes. Cada um está aqui com o seu tipo e um exemplo.",
   },
   guide: {
-    menu: "Guia (em inglês)",
-    teachers: "Para professores (em inglês)",
+    menu: "Guia",
+    teachers: "Para professores",
     isEnglish: "Esta página do guia existe só em inglês.",
     more: "Ler mais no guia",
   },
@@ -380,7 +380,7 @@ export const page: Omit<
     },
     notText: {
       message: name => `${name} não contém texto.`,
-      hint: "Rosy abre programas: arquivos que terminam em .rosy ou .hs.",
+      hint: "O Rosy abre programas: arquivos que terminam em .rosy ou .hs.",
     },
     olderEncoding: {
       message: ({name, encoding, number, line}) =>
@@ -419,7 +419,7 @@ export const page: Omit<
       message: name => `${name} é grande demais.`,
       hint: "Um programa tem no máximo 200.000 letras. O seu continua aberto.",
     },
-    notWorld: name => `${name} não é uma sala que Rosy possa usar.`,
+    notWorld: name => `${name} não é uma sala que o Rosy possa usar.`,
     exampleMissing: {
       message: name => `Não existe o exemplo ${name}.`,
       hint: "Exemplos, no alto, mostra os que existem.",
@@ -430,7 +430,7 @@ export const page: Omit<
     },
     filmFailed: {
       message: "O filme não pôde ser feito.",
-      hint: "Deixe o programa rodar um pouco ou tente o outro tipo de filme.",
+      hint: "Deixe o programa em execução um pouco ou tente o outro tipo de filme.",
     },
     noReader: {
       message: "Falta uma parte da página.",

@@ -31,7 +31,7 @@ export const roomTests: Words["roomTests"] = {
   otherRooms: "Testar em outras salas",
   cancel: "Parar o teste",
   noProperty: "Escolha algo que tenha que valer.",
-  noConnection: "Rosy não está conectado. Ele tenta de novo sozinho.",
+  noConnection: "O Rosy não está conectado. Ele tenta de novo sozinho.",
   lost: "A conexão caiu, e o teste também. Tente de novo.",
   waiting: "O teste vai começar…",
   queued: place => `Outras pessoas estão testando. O seu lugar na fila é ${place}.`,

@@ -67,7 +67,7 @@ export const world: Words["world"] = {
       `Uma sala pode ter no máximo ${most} paredes, caixas e postes. Apague algo antes de desenhar mais.`,
     movable: (most: number) =>
       `Numa sala, no máximo ${most} coisas podem ser empurradas. Apague uma ou desenhe uma que fique parada.`,
-    goals: (most: number) => `Uma sala pode ter no máximo ${most} objetivos. Apague um antes de criar outro.`,
+    goals: (most: number) => `Uma sala pode ter no máximo ${most} metas. Apague uma antes de criar outra.`,
   },
   snap: "Prender à grade",
   room: "Esta sala",

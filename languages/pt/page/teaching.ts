@@ -53,10 +53,10 @@ export const teaching: TeachingWords = {
       csta: "Estados Unidos",
       england: "Inglaterra",
       kmk: "Alemanha",
-      "baden-7": "Alemanha: Baden-Württemberg, 7.º ano",
+      "baden-7": "Alemanha: Baden-Württemberg, 7º ano",
       baden: "Alemanha: Baden-Württemberg, Gymnasium",
-      "cycle-4": "França: 7.º a 9.º ano (cycle 4)",
-      snt: "França: 10.º ano (seconde)",
+      "cycle-4": "França: 7º a 9º ano (cycle 4)",
+      snt: "França: 10º ano (seconde)",
       spain: "Espanha",
       portugal: "Portugal",
     },
@@ -112,7 +112,7 @@ export const teaching: TeachingWords = {
       ],
     },
     bump: {
-      often: "Uma batida são dois eventos, apertado e solto; por isso há dois sons.",
+      often: "Uma batida são dois eventos, pressionado e solto; por isso há dois sons.",
       ask: [
         "Quantos eventos foram?",
         "O que `Nothing` envia?",
@@ -166,7 +166,7 @@ export const teaching: TeachingWords = {
       ask: [
         "Para que lado vai o número?",
         "E se a parede se mover?",
-        "Como parar a 10 cm de uma parede, de qualquer começo?",
+        "Como parar a 10 cm de uma parede, comece onde começar?",
       ],
     },
     "count-the-bumps": {
@@ -285,7 +285,7 @@ export const teaching: TeachingWords = {
         "As condições são lidas como se cada uma estivesse sozinha. `x < 2` também vale em 0,5; ali não conta, porque serve um caso anterior.",
       ask: [
         "Para que `x` vale cada regra?",
-        "Onde duas partes se encontram, e onde há um salto?",
+        "Onde dois pedaços se encontram, e onde há um salto?",
         "Há uma entrada sem saída?",
       ],
     },

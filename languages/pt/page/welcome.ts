@@ -14,7 +14,7 @@ export const welcome: Words["welcome"] = {
     "Um bloco diz a que velocidade andar: Velocity, 0.3 metro por segundo. À direita, em Haskell.",
     "Agora ele está dentro de simule, então vai ser executado.",
     "Executar: o robô anda.",
-    "Outro número: agora ele também vira e anda em círculo.",
+    "Outro número: agora ele também gira e anda em círculo.",
   ],
   stop: "Parar de mostrar",
 }

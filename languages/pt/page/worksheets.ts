@@ -78,9 +78,9 @@ export const worksheets: WorksheetWords = {
       unplugged: {
         title: "andar em círculo",
         steps: [
-          "Um aluno dá um passo para a frente e vira um pouco para a esquerda, de novo e de novo. Outros marcam o caminho.",
-          "Agora ele vira menos. O círculo fica maior ou menor?",
-          "Agora o passo e a virada são ao mesmo tempo: é o que o robô faz.",
+          "Um aluno dá um passo para a frente e gira um pouco para a esquerda, de novo e de novo. Outros marcam o caminho.",
+          "Agora ele gira menos. O círculo fica maior ou menor?",
+          "Agora o passo e o giro são ao mesmo tempo: é o que o robô faz.",
         ],
       },
     },
@@ -140,7 +140,7 @@ export const worksheets: WorksheetWords = {
     },
     bump: {
       tasks: [
-        {say: "O para-choque é apertado 3 vezes e solto 3 vezes. Quantos eventos?", answer: "6"},
+        {say: "O para-choque é pressionado 3 vezes e solto 3 vezes. Quantos eventos?", answer: "6"},
         {
           say: "Evento ou estado: uma batida, a velocidade, um botão, a posição?",
           answer: "evento, estado, evento, estado",
@@ -190,7 +190,7 @@ export const worksheets: WorksheetWords = {
       {
         ask: "Que valor anda em círculo para a direita?",
         answers: ["`Velocity 0.3 0`", "`Velocity 0 (-0.3)`", "`Velocity 0.3 (-0.3)`"],
-        why: "Ele anda e vira para a direita ao mesmo tempo.",
+        why: "Ele anda e gira para a direita ao mesmo tempo.",
       },
       {
         ask: "O que este programa faz?",
@@ -204,7 +204,7 @@ export const worksheets: WorksheetWords = {
       },
       {
         ask: "O robô bate 3 vezes e se solta a cada vez. Quantos sons?",
-        why: "Apertado e solto são dois eventos, três vezes.",
+        why: "Pressionado e solto são dois eventos, três vezes.",
       },
       {
         ask: "O que o robô faz na parede?",
@@ -223,8 +223,8 @@ export const worksheets: WorksheetWords = {
     ],
     "2": [
       {
-        ask: "O para-choque é apertado 3 vezes. Que número há então na memória?",
-        why: "Ela começa com 0, e soma-se 2 a cada aperto.",
+        ask: "O para-choque é pressionado 3 vezes. Que número há então na memória?",
+        why: "Ela começa com 0, e soma-se 2 cada vez que ele é pressionado.",
       },
       {
         ask: "O que o robô faz depois de uma batida?",
@@ -233,7 +233,7 @@ export const worksheets: WorksheetWords = {
       },
       {
         ask: "O que o robô faz no começo?",
-        answers: ["Anda para a frente", "Anda para trás", "Vira"],
+        answers: ["Anda para a frente", "Anda para trás", "Gira"],
         why: "A memória começa com o primeiro caso.",
       },
       {
@@ -243,7 +243,7 @@ export const worksheets: WorksheetWords = {
       },
       {
         ask: "Um programa com `StdGen` é executado duas vezes com a mesma semente. O que muda?",
-        answers: ["Nada", "Tudo", "Só a primeira virada"],
+        answers: ["Nada", "Tudo", "Só o primeiro giro"],
         why: "A mesma semente dá os mesmos números.",
       },
       {

@@ -38,9 +38,10 @@ export interface SearchEntry {
   readonly isOwn: boolean
 }
 
-/// A text as the search compares it: small letters without accents, so that "meme" finds "même"; spaces of any width are alike.
+/// A text as the search compares it: small letters without accents, so that "meme" finds "même"; spaces of any width are
+/// alike, and so are ’, which French texts have, and ', which keyboards have.
 function searchKey(text: string): string {
-  return text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "").replace(/\s/g, " ")
+  return text.toLowerCase().normalize("NFD").replace(/\p{M}/gu, "").replace(/\s/g, " ").replaceAll("’", "'")
 }
 
 /// Items with their words, from the shapes of their blocks. `areOwn`: they are names of the program.

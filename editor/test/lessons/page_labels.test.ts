@@ -1,0 +1,56 @@
+/// A lesson names what the page shows by the page's own words, in every language: a pupil looks for “Knopf 0”, not for “Button 0”.
+
+import {readdirSync, readFileSync} from "node:fs"
+import {expect, test} from "vitest"
+import {german} from "../../src/words/de/index.ts"
+import type {en} from "../../src/words/en/index.ts"
+import {spanish} from "../../src/words/es/index.ts"
+import {french} from "../../src/words/fr/index.ts"
+import {portuguese} from "../../src/words/pt/index.ts"
+
+const lessons = new URL("../../../examples/lessons/", import.meta.url)
+const names = readdirSync(lessons, {withFileTypes: true}).flatMap(entry =>
+  entry.isDirectory() ? [entry.name] : [],
+)
+
+/// What lessons name: as English texts write it, and where it is in the table of a language.
+const named: readonly (readonly [RegExp, (page: typeof en) => string])[] = [
+  [/\bPress Run\b/, page => page.run],
+  [/\bconsole\b/i, page => page.tabs.console],
+  [/\bCharts\b/, page => page.tabs.charts],
+  [/\bDiagram\b/, page => page.views.diagram],
+  [/\bLift in the room\b/, page => page.lift],
+  [/\bButton 0\b/, page => page.shortButton(0)],
+]
+
+/// Texts in English and in another language, side by side.
+function* pairs(one: unknown, other: unknown): Generator<readonly [string, string]> {
+  if (typeof one === "string") yield [one, String(other)]
+  else if (typeof one === "object" && one !== null)
+    for (const [key, value] of Object.entries(one))
+      yield* pairs(value, (other as Record<string, unknown>)?.[key])
+}
+
+const read = (name: string, tag: string): unknown =>
+  JSON.parse(readFileSync(new URL(`${name}/texts/${tag}.json`, lessons), "utf8"))
+
+test.each([
+  ["de", german.page],
+  ["es", spanish.page],
+  ["fr", french.page],
+  ["pt", portuguese.page],
+] as const)("in %s", (tag, page) => {
+  const otherwise: string[] = []
+  let count = 0
+  for (const name of names)
+    for (const [english, text] of pairs(read(name, "en"), read(name, tag)))
+      for (const [pattern, labelOf] of named) {
+        if (!pattern.test(english)) continue
+        count += 1
+        const label = labelOf(page as typeof en)
+        if (!text.toLowerCase().includes(label.toLowerCase()))
+          otherwise.push(`${name}: “${text}” without “${label}”`)
+      }
+  expect(count).toBeGreaterThan(30)
+  expect(otherwise).toEqual([])
+})
