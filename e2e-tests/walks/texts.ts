@@ -1,6 +1,6 @@
 /// Texts of walks: programs to begin with, pieces to type, and long pieces to paste.
 
-import {readFileSync} from "node:fs"
+import {readdirSync, readFileSync} from "node:fs"
 import type {Dice} from "../../codegen/test/generate/random.ts"
 import {corpus, type Program} from "../../codegen/test/reader/open.ts"
 
@@ -21,11 +21,22 @@ const examples = [
 
 const lines = (text: string) => text.split("\n").length
 
+/// A folder of Haskell files to begin with instead of the examples and the corpus.
+const folder = process.env["FILES"]
+
+const ofFolder = (path: string): readonly Program[] =>
+  readdirSync(path)
+    .filter(name => name.endsWith(".hs"))
+    .sort()
+    .map(name => ({name, text: readFileSync(`${path}/${name}`, "utf8")}))
+
+const isShort = ({text}: Program) => lines(text) < 60 && !/[\r\t]/.test(text)
+
 /// Programs that fit on a few pages. Pasting makes spaces of tabs and one kind of line end.
-export const programs: readonly Program[] = [
-  ...examples.map(ofExample),
-  ...corpus.filter(({text}) => lines(text) < 60 && !/[\r\t]/.test(text)),
-]
+export const programs: readonly Program[] =
+  folder === undefined
+    ? [...examples.map(ofExample), ...corpus.filter(isShort)]
+    : ofFolder(folder).filter(isShort)
 
 /// More letters each than the editor closes brackets for.
 export const snippets: readonly string[] = [

@@ -1,13 +1,13 @@
-/// Whether the compiler reads changed definitions as their blocks do. Pure.
+/// Whether the compiler reads definitions as their blocks do. Pure.
 ///
-/// In: the program before and after an edit, and the compiler's answer about it. Out: names of definitions. The places of the parsed tree's nodes are the
+/// In: the program, definitions of it that edits of blocks have written, and the compiler's answer about it. Out: names of definitions. The places of the parsed tree's nodes are the
 /// tree but for the fixities of operators. Those are in the places of typed expressions, of which only some are told: of two readings of
 /// `a * b + c`, one has an expression that begins inside an expression of the other and ends outside of it.
 
 import {areSameGroups, characterOffsets, placesOfGroups, syntaxGroups} from "@rosy/codegen/reader"
 import type {Checked, TypesAtPlaces} from "../wire/worker.generated.ts"
 import type {Document} from "./history.ts"
-import type {Definition, Program, Span} from "./program.ts"
+import type {Definition, Span} from "./program.ts"
 
 /// `groups` is `null` when the text could not be parsed.
 export type CompilerReading = Pick<Checked, "groups" | "types">
@@ -17,43 +17,39 @@ interface Range {
   readonly end: number
 }
 
-/// Names of the definitions whose text is not in `before` and which the compiler groups in another way than the blocks.
+/// Those of the definitions that the compiler groups in another way than the blocks.
 export function otherwiseGrouped(
   document: Document,
-  before: Document,
+  definitions: readonly Definition[],
   {groups, types}: CompilerReading,
-): readonly string[] {
+): readonly Definition[] {
   const {program} = document
-  const changed = changedDefinitions(document, before)
-  if (changed.length === 0) return []
+  if (definitions.length === 0) return []
   const typed = placesOfTypes(program.text, types)
   const parsed = groups === null ? null : placesOfGroups(program.text, groups)
-  return changed.flatMap(definition => {
-    const {name, start, end} = definition
+  return definitions.filter(definition => {
+    const {start, end} = definition
     const isInside = (range: Range) => start <= range.start && range.end <= end
     const tree = parsed === null ? undefined : groupsOf(document, definition)
     const nodes = (parsed ?? []).filter(isInside).map(r => ({start: r.start - start, end: r.end - start}))
     const isOther = tree !== undefined && !areSameGroups(program.text.slice(start, end), tree, nodes)
     const ours = widestOfEach(program.spans.filter(isInside))
-    return isOther || cross([...ours, ...typed.filter(isInside)]) ? [name] : []
+    return isOther || cross([...ours, ...typed.filter(isInside)])
   })
 }
 
-/// Names of the definitions whose text is not in `before` and is made of blocks. Text that a learner wrote into a block may be unreadable: it stays.
-export function changedByBlocks(document: Document, before: Document): readonly string[] {
-  return changedDefinitions(document, before).flatMap(definition => {
+/// Whether the definitions are made of blocks. Text that a learner wrote into a block, which is not in `before`, may be unreadable: it stays.
+export function areMadeOfBlocks(
+  document: Document,
+  definitions: readonly Definition[],
+  before: Document,
+): boolean {
+  return definitions.every(definition => {
     const tree = groupsOf(document, definition)
-    if (tree === undefined) return []
     const textOf = ({start, end}: Range) =>
       document.program.text.slice(definition.start + start, definition.start + end)
-    return tree.texts.every(t => before.program.text.includes(textOf(t))) ? [definition.name] : []
+    return tree?.texts.every(t => before.program.text.includes(textOf(t))) === true
   })
-}
-
-function changedDefinitions({program}: Document, before: Document): readonly Definition[] {
-  const textOf = ({text}: Program, {start, end}: Range) => text.slice(start, end)
-  const known = new Set(before.program.definitions.map(d => textOf(before.program, d)))
-  return program.definitions.filter(d => !known.has(textOf(program, d)))
 }
 
 function groupsOf({view}: Document, {start}: Definition): ReturnType<typeof syntaxGroups> {

@@ -2,6 +2,7 @@
 
 import {conflictShown} from "@rosy/codegen"
 import {blockFinding, locateProblem} from "../program/program.ts"
+import {withoutRead} from "../program/unread_texts.ts"
 import {reduceLesson, watchedNow} from "../state/lesson_state.ts"
 import {hearFixPreview} from "../state/messages/fix_previews.ts"
 import type {ServiceMessage} from "../state/messages/messages.ts"
@@ -173,6 +174,11 @@ function withCheck(state: PageState, message: Message<"checked">): Transition {
     declared: message.declarations,
     types: {...message.types, text: program.text},
     parsed: message.groups === null ? state.parsed : withParsed(state.parsed, program.text),
+    // Text that is being typed is compared with the answer about it.
+    unread:
+      message.groups === null || state.pendingText !== null
+        ? state.unread
+        : withoutRead(state.unread, state.document),
     network: accepted ? {parts: message.parts, text: program.text} : state.network,
     // A text that cannot be read has none: a message can still be sent to the program that runs.
     topics: accepted || message.topics.length > 0 ? message.topics : state.topics,

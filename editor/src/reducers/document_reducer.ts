@@ -1,9 +1,10 @@
 /// Reducer for the program: opening, changes, undo, storage; a changed text goes to the compiler. Pure.
 
-import {type CompilerReading, changedByBlocks, otherwiseGrouped} from "../program/compiler_groups.ts"
+import {areMadeOfBlocks, type CompilerReading, otherwiseGrouped} from "../program/compiler_groups.ts"
 import {type Document, recordChange, redo, undo} from "../program/history.ts"
-import {type Finding, mapFix, mapRange} from "../program/program.ts"
+import {type Definition, type Finding, mapFix, mapRange} from "../program/program.ts"
 import {type ChangeDesc, changesBetween} from "../program/text_changes.ts"
+import {newestBefore, unreadDefinitions, withEdit} from "../program/unread_texts.ts"
 import {withoutLesson} from "../state/lesson_state.ts"
 import {reduceWhy} from "../state/messages/why_state.ts"
 import type {DocumentEvent, Opened} from "../state/page_events.ts"
@@ -27,7 +28,8 @@ export function reduceDocumentEvent(state: PageState, event: DocumentEvent): Tra
       const {numberDrag: drag} = state
       const history = recordChange(state.history, state.document, event.by, event.at, drag)
       const numberDrag = drag === null ? null : "changing"
-      return changeTo({...state, history, numberDrag}, event.document, event.changes)
+      const unread = withEdit(state.unread, state.document, event.document, event.by)
+      return changeTo({...state, history, numberDrag, unread}, event.document, event.changes)
     }
     case "analysed":
       return still(state.document === event.before ? withAnalysed(state, event.document) : state)
@@ -76,6 +78,7 @@ function openProgram(state: PageState, opened: Opened): Transition {
     diagram: {...state.diagram, chosen: null, places: opened.places ?? {}},
     pendingText: null,
     history: opened.history,
+    unread: [],
     // Where a program without a room of its own is opened is its room from then on.
     worldName: opened.world ?? state.worldName,
     replacedRoom: opened.replacedRoom ?? (opened.world === null ? state.replacedRoom : null),
@@ -110,7 +113,8 @@ function openProgram(state: PageState, opened: Opened): Transition {
 /// Shows the program as another tab stored it.
 function followProgram(state: PageState, event: DocumentEvent & {kind: "followed"}): Transition {
   const history = recordChange(state.history, state.document, "command", event.at)
-  const {state: changed, effects} = changeTo({...state, history}, event.document)
+  const unread = withEdit(state.unread, state.document, event.document, "command")
+  const {state: changed, effects} = changeTo({...state, history, unread}, event.document)
   const {name, world, replacedRoom} = event
   const diagram = {...changed.diagram, places: event.places ?? {}}
   const followed = {...changed, diagram, name, replacedRoom, saved: "saved"} as const
@@ -145,19 +149,36 @@ function changeTo(state: PageState, document: Document, edit?: ChangeDesc): Tran
   })
 }
 
-/// Takes the last edit of blocks back when the compiler groups what it has changed in another way than the blocks, or cannot parse it although it
-/// could parse the program before; `null` when there is nothing to take back. It cannot be made again by Redo. Text that is being typed
-/// stays.
+/// Takes edits of blocks back when the compiler groups what they have written in another way than the blocks, or cannot parse it although it could parse the
+/// program before; `null` when there is nothing to take back. All edits since go back with them, and cannot be made again by Redo. Text that is being typed
+/// stays; what was edited as text since comes back by Undo.
 export function withoutMisreading(state: PageState, answer: CompilerReading): Transition | null {
-  const {history, document} = state
-  const before = history.past.at(-1)
-  if (history.last?.by !== "blocks" || before === undefined || state.pendingText !== null) return null
-  const isUnreadable = answer.groups === null && state.parsed.includes(before.program.text)
-  const names = isUnreadable ? changedByBlocks(document, before) : otherwiseGrouped(document, before, answer)
-  if (names.length === 0) return null
-  const past = history.past.slice(0, -1)
-  const notice = {kind: isUnreadable ? "unreadable-edit" : "grouped-otherwise", names} as const
-  return changeTo({...state, history: {past, future: [], last: null}, notice}, before)
+  const {document, pendingText} = state
+  if (pendingText !== null) return null
+  const unread = unreadDefinitions(document, state.unread)
+  const misread = otherwiseGrouped(document, unread, answer)
+  const back = misread.length > 0 ? misread : answer.groups === null ? unreadable(state, unread) : []
+  if (back.length === 0) return null
+  const before = newestBefore(state.history.past, state.unread, back)
+  if (before === null) return null
+  const isTextLost = wereFollowedByText(state, back)
+  const past = [...state.history.past.slice(0, before.at), ...(isTextLost ? [document] : [])]
+  const kind = misread.length > 0 ? "grouped-otherwise" : "unreadable-edit"
+  const notice = {kind, names: back.map(d => d.name)} as const
+  return changeTo({...state, history: {past, future: [], last: null}, unread: [], notice}, before.document)
+}
+
+/// The unread definitions for which the compiler cannot parse the program: none when it could not before, or text was edited since, in a block or beside them.
+function unreadable(state: PageState, unread: readonly Definition[]): readonly Definition[] {
+  if (wereFollowedByText(state, unread)) return []
+  const before = newestBefore(state.history.past, state.unread, unread)
+  if (before === null || !state.parsed.includes(before.document.program.text)) return []
+  return areMadeOfBlocks(state.document, unread, before.document) ? unread : []
+}
+
+function wereFollowedByText({unread}: PageState, definitions: readonly Definition[]): boolean {
+  const names = new Set(definitions.map(d => d.name))
+  return unread.some(u => u.isFollowedByText && names.has(u.name))
 }
 
 /// The document with its inferred types. A refused text may have been analysed only after its run.

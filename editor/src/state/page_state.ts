@@ -12,6 +12,7 @@ import {
 } from "../program/history.ts"
 import type {BlockId, Finding} from "../program/program.ts"
 import type {OwnTopic, ProgramPart} from "../program/program_graph.ts"
+import type {UnreadText} from "../program/unread_texts.ts"
 import type {Declaration, TypesAtPlaces} from "../wire/worker.generated.ts"
 import type {WorldEditor} from "../worlds/editor_value.ts"
 import type {World, WorldFile} from "../worlds/world.ts"
@@ -195,6 +196,8 @@ export interface PageState {
   readonly types: TypesAtPlaces & {readonly text: string}
   /// The texts that the compiler could parse, newest first.
   readonly parsed: readonly string[]
+  /// What edits of blocks have written and the compiler has not read yet.
+  readonly unread: readonly UnreadText[]
   /// What the newest program without mistakes runs, and its text; `null` before the first.
   readonly network: {readonly parts: readonly ProgramPart[]; readonly text: string} | null
   /// The topics that the program connects its types to itself, of its newest text that the compiler could read.
@@ -326,6 +329,7 @@ export const initialState: PageState = {
   declared: [],
   types: {text: "", names: [], at: []},
   parsed: [],
+  unread: [],
   network: null,
   topics: [],
   diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false, places: {}},

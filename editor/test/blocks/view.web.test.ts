@@ -183,6 +183,44 @@ describe("several lines of Haskell", () => {
   })
 })
 
+test("a block that is loaded longer moves the one below it down, which is no edit", async () => {
+  const page = await stage.open("empty")
+  const loaded = await page.evaluate(async () => {
+    const {blocks} = window
+    const edits: object[] = []
+    blocks.onChange(edit => edits.push(edit))
+    const programOf = (text: string) => ({
+      blocks: {
+        languageVersion: 0,
+        blocks: [
+          {type: "raw_definition", id: "long", x: 30, y: 30, extraState: {text}},
+          {type: "raw_definition", id: "below", x: 30, y: 130, extraState: {text: "two = 2"}},
+        ],
+      },
+    })
+    const [short, long] = [programOf("one = 1"), programOf(`one = 1\n${"  + 1\n".repeat(8)}`)]
+    const first = blocks.load(short)
+    const second = blocks.load(long)
+    const placeOf = (id: string) => blocks.save().blocks.blocks.find(block => block.id === id)?.y ?? 0
+    const frame = () => new Promise(done => requestAnimationFrame(done))
+    await frame()
+    await frame()
+    const again = blocks.load(blocks.save())
+    const box = (id: string) =>
+      (window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg)
+        .getBlockById(id)
+        ?.getBoundingRectangle()
+    const bottom = box("long")?.bottom ?? 0
+    return {
+      moved: [first, second, again].map(({moved}) => moved !== null),
+      told: second.moved?.blocks.blocks.find(block => block.id === "below")?.y === placeOf("below"),
+      isFree: (box("below")?.top ?? 0) > bottom && bottom > 130,
+      edits: edits.length,
+    }
+  })
+  expect(loaded).toEqual({moved: [false, true, false], told: true, isFree: true, edits: 0})
+})
+
 describe("by keyboard alone", () => {
   test("from an empty workspace: search, place, fill a socket from the toolbox, step through", async () => {
     const page = await stage.open("small&empty")

@@ -54,3 +54,25 @@ test("the browser draws the cursor: a drawing of the page's own would cost each 
     animations: 0,
   })
 })
+
+test("the focus stays where it went from a cursor at the break of a wrapped line", async () => {
+  const page = await openPane(stage)
+  await page.evaluate(() => {
+    const field = document.createElement("input")
+    document.body.append(field)
+    const pane = document.querySelector<HTMLElement>(".cm-editor")
+    if (pane !== null) pane.style.width = "200px"
+  })
+  await page.keyboard.type("one two three four five six seven eight nine ten eleven twelve")
+  await page.keyboard.press("Control+Home")
+  // The end of what is drawn as the first line.
+  await page.keyboard.press("End")
+  await page.locator("input").last().click()
+  // CodeMirror learns of it in a task of its own, and measures in a frame after that.
+  const focused = await page.evaluate(async () => {
+    const frame = () => new Promise(done => requestAnimationFrame(done))
+    for (let frames = 0; frames < 10; frames++) await frame()
+    return document.activeElement?.tagName
+  })
+  expect(focused).toBe("INPUT")
+})

@@ -449,11 +449,11 @@ export const page: Omit<
     },
     groupedOtherwise: {
       message: name =>
-        `Der Compiler fasst den Haskell-Text von ${name} anders zusammen als die Blöcke. Die letzte Änderung an den Blöcken wurde zurückgenommen.`,
+        `Der Compiler fasst den Haskell-Text von ${name} nach dieser Änderung anders zusammen als die Blöcke. Das Programm ist wieder so wie davor.`,
     },
     unreadableEdit: {
       message: name =>
-        `Der Compiler kann den Haskell-Text von ${name} nach dieser Änderung nicht lesen. Die letzte Änderung an den Blöcken wurde zurückgenommen.`,
+        `Der Compiler kann den Haskell-Text von ${name} nach dieser Änderung nicht lesen. Das Programm ist wieder so wie davor.`,
     },
     unfinishedText: {
       message: name =>

@@ -448,11 +448,11 @@ export const page = {
     },
     groupedOtherwise: {
       message: (name: string) =>
-        `The compiler groups the Haskell text of ${name} differently from the blocks. The last change of the blocks was taken back.`,
+        `After this change, the compiler groups the Haskell text of ${name} differently from the blocks. The program is again as it was before.`,
     },
     unreadableEdit: {
       message: (name: string) =>
-        `The compiler cannot read the Haskell text of ${name} after this change. The last change of the blocks was taken back.`,
+        `The compiler cannot read the Haskell text of ${name} after this change. The program is again as it was before.`,
     },
     unfinishedText: {
       message: (name: string) =>

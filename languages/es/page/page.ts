@@ -459,11 +459,11 @@ export const page: Omit<
     },
     groupedOtherwise: {
       message: name =>
-        `El compilador no agrupa el texto Haskell de ${name} como los bloques. Se ha deshecho el último cambio de los bloques.`,
+        `Después de este cambio, el compilador no agrupa el texto Haskell de ${name} como los bloques. El programa vuelve a estar como antes.`,
     },
     unreadableEdit: {
       message: name =>
-        `Después de este cambio, el compilador no puede leer el texto Haskell de ${name}. Se ha deshecho el último cambio de los bloques.`,
+        `Después de este cambio, el compilador no puede leer el texto Haskell de ${name}. El programa vuelve a estar como antes.`,
     },
     unfinishedText: {
       message: name =>

@@ -460,11 +460,11 @@ export const page: Omit<
     },
     groupedOtherwise: {
       message: name =>
-        `Le compilateur ne regroupe pas le texte Haskell de ${name} comme les blocs. Le dernier changement des blocs a été annulé.`,
+        `Après ce changement, le compilateur ne regroupe pas le texte Haskell de ${name} comme les blocs. Le programme est de nouveau comme avant.`,
     },
     unreadableEdit: {
       message: name =>
-        `Après ce changement, le compilateur ne peut pas lire le texte Haskell de ${name}. Le dernier changement des blocs a été annulé.`,
+        `Après ce changement, le compilateur ne peut pas lire le texte Haskell de ${name}. Le programme est de nouveau comme avant.`,
     },
     unfinishedText: {
       message: name =>

@@ -451,11 +451,11 @@ export const page: Omit<
     },
     groupedOtherwise: {
       message: name =>
-        `O compilador não agrupa o texto Haskell de ${name} como os blocos. A última mudança nos blocos foi desfeita.`,
+        `Depois dessa mudança, o compilador não agrupa o texto Haskell de ${name} como os blocos. O programa está de novo como antes.`,
     },
     unreadableEdit: {
       message: name =>
-        `Depois dessa mudança, o compilador não consegue ler o texto Haskell de ${name}. A última mudança nos blocos foi desfeita.`,
+        `Depois dessa mudança, o compilador não consegue ler o texto Haskell de ${name}. O programa está de novo como antes.`,
     },
     unfinishedText: {
       message: name =>

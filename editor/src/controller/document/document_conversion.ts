@@ -224,6 +224,20 @@ export function withBlocks(
   }
 }
 
+/// The document with its blocks at other places, as the block view has moved them; the same document when it cannot have just these.
+export function withPlaces(
+  reader: Reader | null,
+  document: Document,
+  workspace: SavedWorkspace,
+  inference: Inference,
+): Document {
+  if (reader === null) return document
+  const edit = withBlocks(reader, document, workspace, inference)
+  const {document: placed} = edit
+  const isPlaced = placed.workspace === workspace && placed.program.text === document.program.text
+  return edit.kind === "made" && isPlaced ? placed : document
+}
+
 /// Whether a definition with dimmed blocks has those of its text now.
 function hasMerged(before: View, view: View): boolean {
   const dimmed = new Set(before.declarations.flatMap(d => (d.dimmed ? [d.block.id] : [])))

@@ -9,7 +9,7 @@ import {isPending} from "../../state/messages/preview.ts"
 import {awaitsProgram} from "../../state/page_state.ts"
 import {sameBlocks} from "../../views/blocks/index.ts"
 import {mergeWorkspaces} from "../../views/blocks/workspace/workspace_merge.ts"
-import {analysed, withBlocks, withText} from "./document_conversion.ts"
+import {analysed, withBlocks, withPlaces, withText} from "./document_conversion.ts"
 import {type EditDebounce, openEditDebounce} from "./edit_debounce.ts"
 import type {PageParts} from "./page_parts.ts"
 
@@ -48,10 +48,11 @@ export function openDocumentEditor(store: Store, parts: PageParts): DocumentEdit
     const {document} = store.now
     if (document.workspace === shown || parts.blocks === null || awaitsProgram(store.now)) return
     const began = performance.now()
-    shown = document.workspace
-    parts.blocks.load(shown)
+    const {moved} = parts.blocks.load(document.workspace)
     const inference = parts.blocks.inference()
-    store.dispatch({kind: "analysed", before: document, document: analysed(document, inference)})
+    const placed = moved === null ? document : withPlaces(parts.reader, document, moved, inference)
+    shown = placed.workspace
+    store.dispatch({kind: "analysed", before: document, document: analysed(placed, inference)})
     typing.cost(performance.now() - began)
   }
   const cursorMoved = (offset: number) => {

@@ -80,7 +80,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       const focused = focusedBlock(workspace)
       const loaded = loadBlocks(workspace, saved)
       workspace.clearUndo()
-      changes.loaded()
+      const moved = changes.loaded()
       marks.refresh()
       deferred.begin()
       const again = focused === undefined ? null : workspace.getBlockById(focused)
@@ -89,7 +89,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
         Blockly.renderManagement.triggerQueuedRenders(workspace)
         Blockly.getFocusManager().focusNode(again)
       }
-      return loaded
+      return {...loaded, moved}
     },
     save: () => saveBlocks(workspace),
     inference: () => changes.inference,

@@ -66,9 +66,12 @@ export interface BlocksChange {
 }
 
 export interface BlocksView {
-  /// Shows other blocks. Top-level blocks that did not change stay as they are. Never throws: answers what Blockly
-  /// could not show.
-  load(saved: SavedWorkspace): {readonly left: readonly SavedBlock[]}
+  /// Shows other blocks. Top-level blocks that did not change stay as they are; those that a grown one would cover move down. Never throws: the result
+  /// is what Blockly could not show, and the blocks at their new places if some moved, otherwise `null`.
+  load(saved: SavedWorkspace): {
+    readonly left: readonly SavedBlock[]
+    readonly moved: SavedWorkspace | null
+  }
   save(): SavedWorkspace
   /// Makes the blocks outside of the visible area that were to be made later.
   makeAll(): void

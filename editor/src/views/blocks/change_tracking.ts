@@ -12,7 +12,7 @@ import {giveUniqueNames} from "./construction/unique_names.ts"
 import type {FitChecker} from "./dragging/connection_checker.ts"
 import {boxesOf, spacingMoves} from "./dragging/placement.ts"
 import {selectedPlace} from "./interaction/insertion_points.ts"
-import {saveBlocks, savedAsLoaded} from "./workspace/serialization.ts"
+import {saveBlocks, savedAsLoaded, withoutEvents} from "./workspace/serialization.ts"
 import {sameBlocks} from "./workspace/workspace_merge.ts"
 
 export class ChangeTracking {
@@ -71,12 +71,12 @@ export class ChangeTracking {
     }
   }
 
-  /// Other blocks were loaded: they are no edit.
-  loaded(): void {
-    this.told = savedAsLoaded(this.workspace)
-    this.infer(this.told)
-    Blockly.renderManagement.triggerQueuedRenders(this.workspace)
-    this.boxes = boxesOf(this.workspace)
+  /// Other blocks were loaded: they are no edit. What a grown block would cover makes room; the result is the blocks at their new places then, otherwise `null`.
+  loaded(): SavedWorkspace | null {
+    const saved = savedAsLoaded(this.workspace)
+    this.infer(saved)
+    this.told = withoutEvents(() => this.makeRoom(saved))
+    return this.told === saved ? null : this.told
   }
 
   /// Blocks that were deferred stand on the workspace now: the program is the same.
@@ -151,7 +151,7 @@ export class ChangeTracking {
     this.marks.setInferred(this.types.problems)
   }
 
-  /// Moves what a grown block would cover, as part of the edit.
+  /// Moves what a grown block would cover.
   private makeRoom(saved: SavedWorkspace): SavedWorkspace {
     Blockly.renderManagement.triggerQueuedRenders(this.workspace)
     const boxes = boxesOf(this.workspace)

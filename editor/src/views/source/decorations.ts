@@ -107,6 +107,14 @@ export const cursorCorrection: Extension = EditorView.updateListener.of(({view})
   selection.collapse(letters, letters.length)
 })
 
+/// At the break of a wrapped line a cursor has a side. CodeMirror puts the browser's cursor there also after the text has lost the focus, and the browser then gives
+/// the text the focus again: what is typed into a block would come into the text. A cursor without a side stays where it is.
+export const focusRelease: Extension = EditorView.updateListener.of(({view, focusChanged}) => {
+  const {main} = view.state.selection
+  if (focusChanged && !view.hasFocus && main.empty && main.assoc !== 0)
+    view.dispatch({selection: {anchor: main.head}})
+})
+
 /// The text that a node ends with; `null` where it ends with something else.
 function lettersBefore(node: Node | undefined | null): Text | null {
   if (node instanceof Text) return node

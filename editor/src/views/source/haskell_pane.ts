@@ -22,6 +22,7 @@ import {compilerInfoField, completion, setCompilerInfo} from "./completion.ts"
 import type {Range} from "./decorations.ts"
 import {
   cursorCorrection,
+  focusRelease,
   isLinked,
   lineDecorations,
   setExplained,
@@ -100,6 +101,7 @@ function extensionsOf(
     EditorView.domEventObservers({focus: (_event, v) => v.focus()}),
     numberDragging(options.numbers),
     cursorCorrection,
+    focusRelease,
     syntaxColouring,
     lineDecorations,
     valueWidgets(options.valueClicked),

@@ -115,7 +115,8 @@ function appendAll(workspace: Blockly.Workspace, blocks: readonly SavedBlock[]):
   return left
 }
 
-function withoutEvents<T>(act: () => T): T {
+/// Acts without telling Blockly's listeners and its history.
+export function withoutEvents<T>(act: () => T): T {
   const enabled = Blockly.Events.isEnabled()
   if (enabled) Blockly.Events.disable()
   try {
