@@ -245,6 +245,7 @@ export interface PageState {
   readonly dialog:
     | "gallery"
     | "lessons"
+    | "challenges"
     | "programs"
     | "backpack"
     | "rooms"

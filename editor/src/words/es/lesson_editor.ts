@@ -74,6 +74,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Envía una orden",
     answers: "Después de un evento sigue una orden",
     silent: "Después de un evento no sigue esa orden",
+    never: "Un evento no pasa",
     says: "Dice estos textos",
     ends: "El programa termina solo",
     function: "Una función trata de estos tipos",

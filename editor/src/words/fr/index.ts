@@ -5,6 +5,7 @@ import type {Table} from "../language_table.ts"
 import {measuresOf} from "../number_formats.ts"
 import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
+import {challenges} from "./challenges.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
@@ -29,6 +30,7 @@ export const french: Table = {
     ...page,
     backpack,
     blocks,
+    challenges,
     classroom,
     world,
     diagram,

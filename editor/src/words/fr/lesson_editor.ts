@@ -78,6 +78,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Il envoie une commande",
     answers: "Après un événement vient une commande",
     silent: "Après un événement cette commande ne vient pas",
+    never: "Un événement n’arrive pas",
     says: "Il dit ces textes",
     ends: "Le programme se termine seul",
     function: "Une fonction traite ces types",
