@@ -48,6 +48,28 @@ test("a lesson is followed in blocks: guess, run, look, change, make, and its en
   await expect(page.getByRole("dialog").getByRole("button", {name: "Hello, robot"})).toContainText("finished")
 })
 
+test("a challenge says what is missing for one more star, and keeps the stars of the best run", async ({
+  page,
+}) => {
+  const one = pupil(page)
+  const stars = page.getByTestId("star-result")
+  await page.goto("/")
+  await page.getByRole("button", {name: "Challenges"}).click()
+  await page.getByRole("dialog").getByRole("button", {name: "Sprint"}).click()
+  await expect(one.panel()).toContainText("Challenge 1")
+  await one.drivesAt("4")
+  await one.changesNumber("0.1", "0.5")
+  await one.tries()
+  await expect(stars).toContainText("This run: 2 of 3 stars. For one more star: In under 8 seconds.")
+  await one.changesNumber("0.5", "0.6")
+  await one.tries()
+  await expect(stars).toContainText("This run: 3 of 3 stars. That is all of them!")
+  await page.reload()
+  await page.getByRole("button", {name: "Challenges"}).click()
+  const sprint = page.getByRole("dialog").getByRole("button", {name: "Sprint"})
+  await expect(sprint.getByRole("img", {name: "3 of 3 stars"})).toBeVisible()
+})
+
 test("a lesson is followed in text, survives a reload, and is left for free play", async ({page}) => {
   const one = pupil(page)
   await one.opensLesson("Bump!")

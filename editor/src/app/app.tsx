@@ -14,7 +14,7 @@ import {ShareDialog} from "../page/dialogs/share_dialog.tsx"
 import {KeysDialog} from "../page/dialogs/shortcut_dialog.tsx"
 import {WorldEditorDialog} from "../page/dialogs/world_editor.tsx"
 import {DiagramRegion} from "../page/regions/diagram_region.tsx"
-import {LessonRegion, LessonsDialog} from "../page/regions/lesson_regions.tsx"
+import {ChallengesDialog, LessonRegion, LessonsDialog} from "../page/regions/lesson_regions.tsx"
 import {RegionHeader} from "../page/regions/region_header.tsx"
 import {RegionResizeHandle} from "../page/regions/resize_handle.tsx"
 import {RoomRegion} from "../page/regions/room_region.tsx"
@@ -78,6 +78,7 @@ export function App(): VNode {
       {size === "phone" && <BottomBar />}
       <GalleryDialog />
       <LessonsDialog />
+      <ChallengesDialog />
       <MyProgramsDialog />
       <BackpackDialog />
       <WorldEditorDialog />

@@ -55,6 +55,12 @@ export function fetchLessons(language: string): Promise<FetchResult<readonly Les
   return getDecoded("api/lessons", lessonListDecoder(language))
 }
 
+/// The challenges in their order; the steps of one are its stars.
+export function fetchChallenges(language: string): Promise<FetchResult<readonly LessonEntry[]>> {
+  return getDecoded("api/challenges", lessonListDecoder(language))
+}
+
+/// A lesson or a challenge.
 export function fetchLesson(name: string, language: string): Promise<FetchResult<Lesson>> {
   return getDecoded(`api/lessons/${encodeURIComponent(name)}`, lessonDecoder(language))
 }

@@ -1,6 +1,7 @@
 /// Lessons as values, and the decoders of the service's messages about them (protocol §9). Texts are those of one language.
 
 import {
+  boolean,
   type Decoder,
   list,
   Mismatch,
@@ -40,8 +41,12 @@ export interface Step {
   readonly answers: readonly Answer[]
   readonly right: string | null
   readonly checks: readonly Check[]
-  /// What the service checks; `null` for a question.
-  readonly watched: {readonly seconds: number; readonly checks: readonly unknown[]} | null
+  /// What the service checks; `null` for a question. With `stars` each check is a star of a challenge, and the first is its goal.
+  readonly watched: {
+    readonly seconds: number
+    readonly checks: readonly unknown[]
+    readonly stars: boolean
+  } | null
   /// The program that the step begins with; `null`: the program as it is.
   readonly program: string | null
 }
@@ -65,7 +70,7 @@ export interface Lesson {
   readonly file: string | null
 }
 
-/// A lesson in the list.
+/// A lesson or a challenge in the list; the steps of a challenge are its stars.
 export interface LessonEntry {
   readonly name: string
   readonly course: string
@@ -140,6 +145,7 @@ export function lessonDecoder(language: string): Decoder<Lesson> {
         ),
       )
       const seconds = at("seconds", optional(number, null))
+      const stars = at("stars", optional(boolean, false))
       return {
         id,
         kind: at("kind", oneOf("predict", "run", "investigate", "modify", "make")),
@@ -156,7 +162,7 @@ export function lessonDecoder(language: string): Decoder<Lesson> {
           text: said.checks[check.id] ?? check.id,
           hints: said.hints[check.id] ?? [],
         })),
-        watched: seconds === null ? null : {seconds, checks},
+        watched: seconds === null ? null : {seconds, checks, stars},
         program: at("program", optional(string, null)),
       }
     })

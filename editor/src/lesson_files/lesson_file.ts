@@ -41,6 +41,7 @@ export const checkKinds = [
   "returns",
   "answers",
   "silent",
+  "never",
   "function",
   "functions",
 ] as const

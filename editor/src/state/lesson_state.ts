@@ -4,6 +4,7 @@ import {type DraftEdit, editDraft, type LessonDraft} from "../lesson_files/draft
 import {withDraft} from "../lesson_files/draft_storage.ts"
 import type {Lesson, LessonEntry, Step} from "../lesson_files/lesson.ts"
 import type {Progress} from "../lesson_files/progress.ts"
+import {earnedStars, hasStars, starIds} from "../lesson_files/stars.ts"
 import type {LessonChecks} from "./messages/messages.ts"
 
 export interface OpenLesson {
@@ -29,6 +30,7 @@ export type LessonList =
 /// All about lessons that the page knows.
 export interface LessonsState {
   readonly list: LessonList
+  readonly challenges: LessonList
   readonly progress: Progress
   readonly open: OpenLesson | null
   /// The lessons that are being written in this browser.
@@ -44,6 +46,7 @@ export interface Writing {
 
 export const noLessons: LessonsState = {
   list: {kind: "unasked"},
+  challenges: {kind: "unasked"},
   progress: {},
   open: null,
   drafts: [],
@@ -51,7 +54,7 @@ export const noLessons: LessonsState = {
 }
 
 export type LessonEvent =
-  | {readonly kind: "listed"; readonly list: LessonList}
+  | {readonly kind: "listed"; readonly of: "list" | "challenges"; readonly list: LessonList}
   /// `runs` is the number of the newest run.
   | {readonly kind: "opened"; readonly lesson: Lesson; readonly at: number; readonly runs: number}
   | {readonly kind: "closed"}
@@ -84,7 +87,9 @@ export function currentStep(open: OpenLesson): Step | undefined {
 }
 
 export function isDone(state: LessonsState, step: Step): boolean {
-  return state.open !== null && (state.progress[state.open.lesson.name] ?? []).includes(step.id)
+  // A challenge is passed with its first star.
+  const [id = step.id] = hasStars(step) ? starIds(1) : []
+  return state.open !== null && (state.progress[state.open.lesson.name] ?? []).includes(id)
 }
 
 /// The step that a learner goes on with: the first that is not done, or the first of all when the lesson was finished.
@@ -116,7 +121,7 @@ export function reduceLesson(state: LessonsState, event: LessonEvent): LessonTra
   const {open} = state
   switch (event.kind) {
     case "listed":
-      return {state: {...state, list: event.list}}
+      return {state: {...state, [event.of]: event.list}}
     case "opened": {
       const {lesson, at, runs} = event
       return shown({...state, open: opened(lesson, at, runs), writing: null})
@@ -212,13 +217,16 @@ function judged(state: LessonsState, checks: LessonChecks): LessonsState {
   if (open === null || step === undefined || step.watched === null) return state
   if (checks.run !== null && checks.run <= open.since) return state
   const seen = {...state, open: {...open, checks}}
+  if (hasStars(step)) return withProgress(seen, starIds(earnedStars(step, checks)))
   return checks.passed ? withDone(seen, step) : seen
 }
 
-function withDone(state: LessonsState, step: Step): LessonsState {
+const withDone = (state: LessonsState, step: Step): LessonsState => withProgress(state, [step.id])
+
+function withProgress(state: LessonsState, ids: readonly string[]): LessonsState {
   if (state.open === null) return state
   const {name} = state.open.lesson
   const done = state.progress[name] ?? []
-  if (done.includes(step.id)) return state
-  return {...state, progress: {...state.progress, [name]: [...done, step.id]}}
+  const added = ids.filter(id => !done.includes(id))
+  return added.length === 0 ? state : {...state, progress: {...state.progress, [name]: [...done, ...added]}}
 }

@@ -248,6 +248,7 @@ export interface PageState {
   readonly dialog:
     | "gallery"
     | "lessons"
+    | "challenges"
     | "programs"
     | "backpack"
     | "rooms"

@@ -77,6 +77,7 @@ export interface AppController {
   readonly backpack: Backpack
   /// Shows the list of lessons.
   openLessons(): void
+  openChallenges(): void
   /// Opens a lesson and its program at the first step that is not done.
   openLesson(name: string): void
   /// The address that contains a lesson, given as its text.

@@ -200,6 +200,8 @@ export function nameOfPart(world: World, part: Part): string {
         : w.box(part.index + 1, world.boxes[part.index]?.movable ?? false)
     case "round":
       return w.round(part.index + 1, world.rounds[part.index]?.movable ?? false)
+    case "line":
+      return w.floorLine(part.index + 1)
     case "goal": {
       const goal = world.goals[part.index]
       return goal === undefined ? "" : nameOfGoal(goal)
@@ -226,6 +228,8 @@ export function describePart(world: World, part: Part): string {
       const round = world.rounds[part.index]
       return round === undefined ? "" : w.circle(name, [round.x, round.y], round.r)
     }
+    case "line":
+      return w.points(name, world.lines[part.index]?.points.length ?? 0)
     case "goal": {
       const goal = world.goals[part.index]
       return goal === undefined ? "" : describeGoal(name, goal)

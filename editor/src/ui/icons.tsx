@@ -72,6 +72,11 @@ export const EyeIcon = () => (
     <circle cx="8" cy="8" r="1.9" {...line} />
   </Picture>
 )
+export const StarIcon = () => (
+  <Picture>
+    <path d="m8 1.8 1.9 4 4.3.5-3.2 3 .9 4.3L8 11.4l-3.9 2.2.9-4.3-3.2-3 4.3-.5z" {...line} />
+  </Picture>
+)
 export const ResetIcon = () => (
   <Picture>
     <path d="M3.2 8a4.9 4.9 0 1 0 1.7-3.7M5 1.8v2.7h2.7" {...line} />

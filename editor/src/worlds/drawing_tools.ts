@@ -1,9 +1,9 @@
 /// Drawing tools of the world editor: the object that a drag from one place to another creates. Pure.
 
-import {clamp, onGrid, tidy} from "./geometry.ts"
+import {clamp, distance, nearestOn, onGrid, tidy} from "./geometry.ts"
 import {smallest} from "./part_handles.ts"
 import {paintTile} from "./room_size.ts"
-import {defaultMass, limits, type Spot, type World, type WorldGoal} from "./world.ts"
+import {defaultLineWidth, defaultMass, limits, type Spot, type World, type WorldGoal} from "./world.ts"
 import {type Part, put} from "./world_parts.ts"
 
 export const tools = [
@@ -16,6 +16,7 @@ export const tools = [
   "solid",
   "hole",
   "floor",
+  "line",
   "reach",
   "touch",
   "avoid",
@@ -112,23 +113,73 @@ export function defaultPart(drawing: Drawing, at: Spot): DrawnPart {
   }
 }
 
-/// A goal of several points with one more; `null` when the part is none or is full.
-export function withPoint(world: World, part: Part, tool: "visit" | "draw", at: Spot): World | null {
+/// Tools that add one point after the other.
+export type PointTool = "line" | "visit" | "draw"
+
+/// The world with a new part of one point.
+export function firstPoint(world: World, tool: PointTool, at: Spot): DrawnPart {
+  const about = {title: "", within: null}
+  switch (tool) {
+    case "line":
+      return {
+        world: {...world, lines: [...world.lines, {points: [at], width: defaultLineWidth}]},
+        part: {kind: "line", index: world.lines.length},
+      }
+    case "visit":
+      return addGoal(world, {...about, kind: "visit", points: [at], r: 0.3})
+    case "draw":
+      return addGoal(world, {...about, kind: "draw", points: [at], tolerance: 0.15})
+  }
+}
+
+/// A part of several points with one more; `null` when the part is none of the tool or is full.
+export function withPoint(world: World, part: Part, tool: PointTool, at: Spot): World | null {
+  if (part.kind === "line") {
+    const line = world.lines[part.index]
+    if (tool !== "line" || line === undefined || line.points.length >= limits.points) return null
+    return {...world, lines: put(world.lines, part.index, {...line, points: [...line.points, at]})}
+  }
   const goal = part.kind === "goal" ? world.goals[part.index] : undefined
   if (part.kind !== "goal" || goal === undefined || goal.kind !== tool || goal.points.length >= limits.points)
     return null
   return {...world, goals: put(world.goals, part.index, {...goal, points: [...goal.points, at]})}
 }
 
-/// A shape of one point is none yet; it gets a second one beside it.
+/// A shape or a line of one point is none yet; it gets a second one beside it.
 export function finished(world: World): World {
-  const goals = world.goals.map((goal): WorldGoal => {
-    const [first] = goal.kind === "draw" ? goal.points : []
-    if (goal.kind !== "draw" || first === undefined || goal.points.length > 1) return goal
+  const whole = (points: readonly Spot[]): readonly Spot[] => {
+    const [first] = points
+    if (first === undefined || points.length > 1) return points
     const beside = first[0] + 0.5 <= world.size[0] ? first[0] + 0.5 : Math.max(0, first[0] - 0.5)
-    return {...goal, points: [first, [tidy(beside), first[1]]]}
-  })
-  return {...world, goals}
+    return [first, [tidy(beside), first[1]]]
+  }
+  const goals = world.goals.map(goal => (goal.kind === "draw" ? {...goal, points: whole(goal.points)} : goal))
+  return {...world, goals, lines: world.lines.map(line => ({...line, points: whole(line.points)}))}
+}
+
+/// How far a line may lie beside the way of the hand that drew it, m.
+const thinningTolerance = 0.01
+
+/// A world whose line keeps only the points that its shape needs (Ramer, Douglas, Peucker).
+export function withThinnedLine(world: World, part: Part): World {
+  const line = part.kind === "line" ? world.lines[part.index] : undefined
+  if (part.kind !== "line" || line === undefined) return world
+  return {...world, lines: put(world.lines, part.index, {...line, points: thinned(line.points)})}
+}
+
+function thinned(points: readonly Spot[]): readonly Spot[] {
+  const [first, last] = [points[0], points.at(-1)]
+  if (first === undefined || last === undefined || points.length < 3) return points
+  let farthest = {index: 0, gap: thinningTolerance}
+  for (const [index, at] of points.entries()) {
+    const gap = distance(nearestOn(first, last, at), at)
+    if (gap > farthest.gap) farthest = {index, gap}
+  }
+  if (farthest.index === 0) return [first, last]
+  return [
+    ...thinned(points.slice(0, farthest.index + 1)).slice(0, -1),
+    ...thinned(points.slice(farthest.index)),
+  ]
 }
 
 export function paintLine(world: World, from: Spot, to: Spot, tile: "#" | "." | "O"): World {

@@ -4,25 +4,27 @@ import {
   defaultPart,
   drawnPart,
   finished,
+  firstPoint,
   isGoal,
   isMovableTool,
   paintLine,
   point,
   tileOf,
   withPoint,
+  withThinnedLine,
 } from "./drawing_tools.ts"
 import {type Gesture, remember, sameWorld, type WorldEditor} from "./editor_value.ts"
 import {type Handle, handlesOf, moveHandle} from "./part_handles.ts"
 import {partAt} from "./part_hit_testing.ts"
 import {movePart} from "./part_movement.ts"
 import {paintTile} from "./room_size.ts"
-import type {Spot, World, WorldGoal} from "./world.ts"
+import type {Spot, World} from "./world.ts"
 import {limitReached, type Part, samePart} from "./world_parts.ts"
 
 /// A pointer that moved less than this has only clicked, m.
 const click = 0.04
-/// Points of a shape that is drawn by hand lie so far apart, m.
-const drawStep = 0.2
+/// Points of what is drawn by hand lie so far apart, m: a shape to follow is coarse, a line on the floor is thinned later.
+const drawStep = {draw: 0.2, line: 0.05}
 
 export function down(editor: WorldEditor, at: Spot, reach: number): WorldEditor {
   const base = editor.world
@@ -45,18 +47,13 @@ export function down(editor: WorldEditor, at: Spot, reach: number): WorldEditor 
       ? {...editor, chosen: null}
       : begin({kind: "move", part: mine ? chosen : part, from: at}, {chosen: part})
   }
-  if (tool === "visit" || tool === "draw") {
+  if (tool === "visit" || tool === "draw" || tool === "line") {
     const longer = chosen === null ? null : withPoint(world, chosen, tool, point(editor, at))
     if (chosen !== null && longer !== null) return begin({kind: "follow", part: chosen}, {world: longer})
-    const refused = limitReached(world, "goal", false)
+    const refused = limitReached(world, tool === "line" ? "line" : "goal", false)
     if (refused !== null) return {...editor, refused}
-    const first = point(editor, at)
-    const goal: WorldGoal =
-      tool === "visit"
-        ? {kind: "visit", title: "", within: null, points: [first], r: 0.3}
-        : {kind: "draw", title: "", within: null, points: [first], tolerance: 0.15}
-    const part: Part = {kind: "goal", index: world.goals.length}
-    return begin({kind: "follow", part}, {world: {...world, goals: [...world.goals, goal]}, chosen: part})
+    const begun = firstPoint(world, tool, point(editor, at))
+    return begin({kind: "follow", part: begun.part}, {world: begun.world, chosen: begun.part})
   }
   const kind = tool === "wall" ? "wall" : isGoal(tool) ? "goal" : "box"
   const refused = limitReached(world, kind, isMovableTool(tool))
@@ -84,13 +81,17 @@ export function move(editor: WorldEditor, at: Spot): WorldEditor {
         : {...editor, world: made.world, chosen: made.part}
     }
     case "follow": {
-      const goal = gesture.part.kind === "goal" ? editor.world.goals[gesture.part.index] : undefined
-      if (goal?.kind !== "draw") return editor
-      const last = goal.points.at(-1)
-      const here = point(editor, at)
-      if (last !== undefined && Math.hypot(here[0] - last[0], here[1] - last[1]) < drawStep - 1e-9)
-        return editor
-      return {...editor, world: withPoint(editor.world, gesture.part, "draw", here) ?? editor.world}
+      const {part} = gesture
+      const tool = part.kind === "line" ? "line" : "draw"
+      const last = followedPoints(editor.world, part)?.at(-1)
+      if (last === undefined) return editor
+      // The grid is for corners that are clicked: a line drawn by hand is as round as the hand's way.
+      const here = point(tool === "line" ? {...editor, snap: false} : editor, at)
+      if (Math.hypot(here[0] - last[0], here[1] - last[1]) < drawStep[tool] - 1e-9) return editor
+      // A line that is full has room again when it is thinned.
+      const longer = (world: World) => withPoint(world, part, tool, here)
+      const now = longer(editor.world) ?? longer(withThinnedLine(editor.world, part))
+      return now === null ? editor : {...editor, world: now}
     }
     case "paint": {
       const {tool} = editor
@@ -114,10 +115,18 @@ export function up(editor: WorldEditor): WorldEditor {
     gesture.kind === "make" && editor.chosen === null
       ? (({world, part}) => ({...editor, world, chosen: part}))(defaultPart(editor, gesture.from))
       : editor
-  const whole = {...now, world: finished(now.world), gesture: null}
+  const drawn = gesture.kind === "follow" ? withThinnedLine(now.world, gesture.part) : now.world
+  const whole = {...now, world: finished(drawn), gesture: null}
   const done = sameWorld(whole.world, base) ? {...whole, world: base} : remember(whole, base)
   // After something was put down it can be moved at once; tiles and points go on.
   return gesture.kind === "make" ? {...done, tool: "choose"} : done
+}
+
+/// The points of what a pointer draws on its way; `undefined` for places that are only clicked.
+function followedPoints(world: World, part: Part): readonly Spot[] | undefined {
+  if (part.kind === "line") return world.lines[part.index]?.points
+  const goal = part.kind === "goal" ? world.goals[part.index] : undefined
+  return goal?.kind === "draw" ? goal.points : undefined
 }
 
 /// The nearest handle within the pointer's reach.

@@ -119,9 +119,10 @@ function step(editor: WorldEditor, dx: number, dy: number, fine: boolean): World
 
 const middle = (world: World): Spot => [onGrid(world.size[0] / 2), onGrid(world.size[1] / 2)]
 
-/// Whether a tool goes on with what is chosen: points are added to a goal of several points.
+/// Whether a tool goes on with what is chosen: points are added to a line, or to a goal of several points.
 function continues(editor: WorldEditor, tool: Tool): boolean {
   const {chosen, world} = editor
+  if (chosen?.kind === "line") return tool === "line"
   return chosen?.kind === "goal" && world.goals[chosen.index]?.kind === tool
 }
 

@@ -47,6 +47,8 @@ export function handlesOf(world: World, part: Part): readonly Handle[] {
       const round = world.rounds[part.index]
       return round === undefined ? [] : rim(round)
     }
+    case "line":
+      return world.lines[part.index]?.points.map((p, i) => handle("point", p, i)) ?? []
     case "goal": {
       const goal = world.goals[part.index]
       switch (goal?.kind) {
@@ -113,6 +115,12 @@ export function moveHandle(world: World, part: Part, handle: Handle, at: Spot, s
       const round = world.rounds[part.index]
       if (round === undefined) return world
       return {...world, rounds: put(world.rounds, part.index, {...round, r: radius(round)})}
+    }
+    case "line": {
+      const line = world.lines[part.index]
+      if (line === undefined) return world
+      const points = put(line.points, handle.index, to)
+      return {...world, lines: put(world.lines, part.index, {...line, points})}
     }
     case "goal": {
       const goal = world.goals[part.index]

@@ -24,6 +24,10 @@ function distanceToPart(world: World, part: Part, at: Spot): number | null {
       const round = world.rounds[part.index]
       return round === undefined ? null : Math.max(0, distance([round.x, round.y], at) - round.r)
     }
+    case "line": {
+      const line = world.lines[part.index]
+      return line === undefined ? null : Math.max(0, gapToPath(line.points, at) - line.width / 2)
+    }
     case "goal": {
       const goal = world.goals[part.index]
       return goal === undefined ? null : gapToGoal(goal, at)
@@ -36,9 +40,7 @@ function gapToGoal(goal: WorldGoal, at: Spot): number | null {
     case "lap":
       return distance(nearestOn(goal.from, goal.to, at), at)
     case "draw":
-      return Math.min(
-        ...goal.points.slice(1).map((b, i) => distance(nearestOn(goal.points[i] ?? b, b, at), at)),
-      )
+      return gapToPath(goal.points, at)
     case "visit":
       return Math.min(...goal.points.map(p => Math.max(0, distance(p, at) - goal.r)))
     case "avoid":
@@ -48,10 +50,13 @@ function gapToGoal(goal: WorldGoal, at: Spot): number | null {
   }
 }
 
-/// The part that a pointer at `at` with this reach (m) selects: the robot before things, things before goals, and of things
+const gapToPath = (points: readonly Spot[], at: Spot): number =>
+  Math.min(...points.slice(1).map((b, i) => distance(nearestOn(points[i] ?? b, b, at), at)))
+
+/// The part that a pointer at `at` with this reach (m) selects: the robot before things, things before lines on the floor, those before goals, and of things
 /// that lie on each other the one that was put there last.
 export function partAt(world: World, at: Spot, reach: number): Part | null {
-  const rank = {start: 0, wall: 1, box: 1, round: 1, goal: 2}
+  const rank = {start: 0, wall: 1, box: 1, round: 1, line: 2, goal: 3}
   let best: {part: Part; rank: number; gap: number} | null = null
   for (const part of partsOf(world)) {
     const gap = distanceToPart(world, part, at)

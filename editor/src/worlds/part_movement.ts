@@ -51,6 +51,11 @@ export function movePart(world: World, part: Part, dx: number, dy: number, snap:
       const round = world.rounds[part.index]
       return round === undefined ? world : {...world, rounds: put(world.rounds, part.index, place(round))}
     }
+    case "line": {
+      const line = world.lines[part.index]
+      if (line === undefined) return world
+      return {...world, lines: put(world.lines, part.index, {...line, points: together(line.points)})}
+    }
     case "goal": {
       const goal = world.goals[part.index]
       if (goal === undefined) return world

@@ -12,7 +12,14 @@ export const samePart = (a: Part | null, b: Part | null): boolean =>
 export function partsOf(world: World): readonly Part[] {
   const many = (kind: keyof typeof partLists) =>
     world[partLists[kind]].map((_, index: number): Part => ({kind, index}))
-  return [{kind: "start"}, ...many("wall"), ...many("box"), ...many("round"), ...many("goal")]
+  return [
+    {kind: "start"},
+    ...many("wall"),
+    ...many("box"),
+    ...many("round"),
+    ...many("line"),
+    ...many("goal"),
+  ]
 }
 
 export function exists(world: World, part: Part): boolean {
@@ -34,7 +41,7 @@ export const putGoal = (world: World, index: number, goal: WorldGoal): World => 
 })
 
 /// The lists of a world by the kind of their parts.
-export const partLists = {wall: "walls", box: "boxes", round: "rounds", goal: "goals"} as const
+export const partLists = {wall: "walls", box: "boxes", round: "rounds", line: "lines", goal: "goals"} as const
 
 /// The world without a part. The robot always starts somewhere, so the start stays.
 export function removePart(world: World, part: Part): World {
@@ -44,24 +51,31 @@ export function removePart(world: World, part: Part): World {
   return {...world, [key]: list.filter((_, i) => i !== part.index)}
 }
 
-/// Limits of the schema on the number of parts: walls, boxes and posts together, those that can be pushed, goals.
-export const partLimits = {things: limits.things, movable: limits.movable, goals: limits.goals} as const
+/// Limits of the schema on the number of parts: walls, boxes and posts together, those that can be pushed, lines, goals.
+export const partLimits = {
+  things: limits.things,
+  movable: limits.movable,
+  lines: limits.lines,
+  goals: limits.goals,
+} as const
 export type PartLimit = keyof typeof partLimits
 
 const counts: Readonly<Record<PartLimit, (world: World) => number>> = {
   things: ({walls, boxes, rounds}) => walls.length + boxes.length + rounds.length,
   movable: ({boxes, rounds}) => [...boxes, ...rounds].filter(thing => thing.movable).length,
+  lines: ({lines}) => lines.length,
   goals: ({goals}) => goals.length,
 }
 
 /// The limit that a world exceeds; `null` for none.
 export function exceededLimit(world: World): PartLimit | null {
-  return atLimit(world, ["things", "movable", "goals"], 1)
+  return atLimit(world, ["things", "movable", "lines", "goals"], 1)
 }
 
 /// The limit that one more part would exceed; `null` for none.
 export function limitReached(world: World, kind: keyof typeof partLists, movable: boolean): PartLimit | null {
   if (kind === "goal") return atLimit(world, ["goals"], 0)
+  if (kind === "line") return atLimit(world, ["lines"], 0)
   return atLimit(world, movable ? ["things", "movable"] : ["things"], 0)
 }
 

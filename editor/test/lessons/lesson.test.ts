@@ -5,6 +5,7 @@ import {toolbox} from "@rosy/codegen"
 import {describe, expect, test} from "vitest"
 import {type Lesson, lessonDecoder} from "../../src/lesson_files/lesson.ts"
 import {isFinished, readProgress, writeProgress} from "../../src/lesson_files/progress.ts"
+import {earnedStars, nextStar} from "../../src/lesson_files/stars.ts"
 import {toolboxOf, wordsOf} from "../../src/lesson_files/toolbox_words.ts"
 import {
   firstOpenStep,
@@ -71,6 +72,60 @@ const judged = (run: number | null, passed: boolean): LessonEvent => {
 }
 const done = (state: LessonsState) => state.progress["small"] ?? []
 
+const starred = {
+  ...file,
+  name: "sprint",
+  steps: [
+    step("go", "make", {
+      seconds: 60,
+      stars: true,
+      checks: ["there", "quick", "quickest"].map(id => ({kind: "goals", id})),
+    }),
+  ],
+}
+
+describe("a challenge", () => {
+  const read = decode(lessonDecoder("de"), starred)
+  if (read.kind !== "ok") throw new Error(read.message)
+  const challenge = read.value
+  const [only] = challenge.steps
+  if (only === undefined) throw new Error("a challenge has a step")
+  const open: LessonEvent = {kind: "opened", lesson: challenge, at: 0, runs: 0}
+  const run = (number: number, over: boolean, ...done: readonly string[]): LessonChecks => ({
+    run: number,
+    passed: false,
+    over,
+    checks: only.checks.map(({id}) => ({id, state: done.includes(id) ? "done" : "missed", seen: null})),
+  })
+  const judgedBy = (checks: LessonChecks): LessonEvent => ({kind: "judged", checks})
+  const progress = (...runs: readonly LessonChecks[]) =>
+    after(open, ...runs.map(judgedBy)).progress["sprint"] ?? []
+
+  test("tells the service that its checks are stars", () => {
+    expect(watchedNow(after(open))?.stars).toBe(true)
+  })
+
+  test("has no star without its goal, and one for each check with it", () => {
+    expect(earnedStars(only, run(1, true, "quick", "quickest"))).toBe(0)
+    expect(earnedStars(only, run(1, true, "there", "quickest"))).toBe(2)
+    expect(nextStar(only, run(1, true, "there", "quickest"))?.id).toBe("quick")
+    expect(nextStar(only, run(1, true, "there", "quick", "quickest"))).toBeNull()
+  })
+
+  test("has no star before the run is judged", () => {
+    expect(earnedStars(only, run(1, false, "there", "quick", "quickest"))).toBe(0)
+    expect(progress(run(1, false, "there"))).toEqual([])
+  })
+
+  test("keeps the stars of the best run, and is passed with the first", () => {
+    expect(progress(run(1, true, "there", "quick"), run(2, true, "there"))).toEqual(["star-1", "star-2"])
+    // Two runs with two stars each are not one with three.
+    expect(progress(run(1, true, "there", "quick"), run(2, true, "there", "quickest"))).toHaveLength(2)
+    expect(isDone(after(open), only)).toBe(false)
+    expect(isDone(after(open, judgedBy(run(1, true, "there"))), only)).toBe(true)
+  })
+})
+
 describe("a lesson", () => {
   test("has a room that is called like it, in the same language, unless the room has a title", () => {
     const german = {...file.texts.en, title: "Klein"}
@@ -114,7 +169,7 @@ describe("a step", () => {
   test("with a run is watched by the service while it is shown", () => {
     const checks = [{kind: "moves", id: "far", metres: 1}]
     expect(watchedNow(after(opened))).toBe(null)
-    expect(watchedNow(after(opened, at(2)))).toEqual({seconds: 5, checks})
+    expect(watchedNow(after(opened, at(2)))).toEqual({seconds: 5, checks, stars: false})
     expect(reduceLesson(after(opened, at(2)), {kind: "closed"}).watched).toBe(null)
   })
 

@@ -37,7 +37,13 @@ const anyEdit: fc.Arbitrary<WorldEdit> = fc.oneof(
   fc.record({
     kind: fc.constant("choose" as const),
     part: fc.record({
-      kind: fc.constantFrom("wall" as const, "box" as const, "round" as const, "goal" as const),
+      kind: fc.constantFrom(
+        "wall" as const,
+        "box" as const,
+        "round" as const,
+        "line" as const,
+        "goal" as const,
+      ),
       index: fc.nat(4),
     }),
   }),
@@ -173,6 +179,87 @@ describe("the world editor", () => {
         expect(editor.past).toEqual([])
       }),
     )
+  })
+})
+
+describe("a line on the floor", () => {
+  const way = (...path: readonly [number, number][]): WorldEdit[] => [
+    {kind: "down", at: path[0] ?? [0, 0], reach: 0.1},
+    ...path.slice(1).map((at): WorldEdit => ({kind: "move", at})),
+    {kind: "up"},
+  ]
+  const lineTool: WorldEdit = {kind: "tool", tool: "line"}
+  const pointsOf = (editor: WorldEditor, index = 0) => editor.world.lines[index]?.points ?? []
+  /// A quarter of a circle of 1.5 m, as a hand draws it: a point each centimetre.
+  const arc = Array.from({length: 236}, (_, i): [number, number] => [
+    2 + 1.5 * Math.sin(i / 150),
+    2 + 1.5 * (1 - Math.cos(i / 150)),
+  ])
+
+  it("drawn by hand is as round as the way of the hand, with few points", () => {
+    const editor = after(emptyRoom, [lineTool, ...way(...arc)])
+    const points = pointsOf(editor)
+    expect(points.length).toBeGreaterThan(3)
+    expect(points.length).toBeLessThan(15)
+    for (const [x, y] of points.slice(1))
+      expect(Math.abs(Math.hypot(x - 2, y - 3.5) - 1.5)).toBeLessThan(0.06)
+    expect(edit(editor, {kind: "undo"}).world).toEqual(emptyRoom)
+  })
+
+  it("goes on with each click on the grid, until another tool is chosen", () => {
+    const editor = after(emptyRoom, [lineTool, ...way([1.02, 1]), ...way([2.04, 1]), ...way([2, 2.01])])
+    expect(pointsOf(editor).slice(-2)).toEqual([
+      [2, 1],
+      [2, 2],
+    ])
+    const second = after(editor.world, [lineTool, ...way([4, 4])])
+    expect(second.world.lines).toHaveLength(2)
+  })
+
+  it("that is long keeps room for its end", () => {
+    // Straight pieces of 4 m, 60 of them: far more than 200 points before they are thinned.
+    const zigzag = Array.from({length: 60 * 80}, (_, i): [number, number] => {
+      const [row, along] = [Math.floor(i / 80), (i % 80) * 0.05]
+      return [row % 2 === 0 ? 1 + along : 5 - along, 1 + row * 0.05]
+    })
+    const points = pointsOf(after(emptyRoom, [lineTool, ...way(...zigzag)]))
+    expect(points.length).toBeLessThanOrEqual(200)
+    expect(points.at(-1)?.[1]).toBeGreaterThan(3.8)
+  })
+
+  it("is found by a pointer under things and over goals, moved, pulled, copied and removed", () => {
+    const drawn = after(emptyRoom, [lineTool, ...way([3, 1], [4, 1], [4, 2])])
+    const part = {kind: "line", index: 0} as const
+    expect(partAt(drawn.world, [3.5, 1.02], 0.05)).toEqual(part)
+    const chosen = edit(drawn, {kind: "choose", part})
+    expect(handlesOf(chosen.world, part)).toHaveLength(pointsOf(chosen).length)
+    const moved = edit(chosen, {kind: "step", dx: 1, dy: 0, fine: false})
+    expect(pointsOf(moved)[0]?.[0]).toBeCloseTo(3.1)
+    expect(edit(moved, {kind: "duplicate"}).world.lines).toHaveLength(2)
+    expect(edit(moved, {kind: "delete"}).world.lines).toEqual([])
+  })
+
+  it("is drawn by keys: the cross-hair goes down, along, and up", () => {
+    const keys: readonly WorldEdit[] = [
+      lineTool,
+      {kind: "press"},
+      ...Array.from({length: 10}, (): WorldEdit => ({kind: "step", dx: 1, dy: 0, fine: false})),
+      {kind: "press"},
+    ]
+    const [from, to] = pointsOf(after(emptyRoom, keys))
+    expect((to?.[0] ?? 0) - (from?.[0] ?? 0)).toBeCloseTo(1)
+  })
+
+  it("beyond the limit is refused with the reason", () => {
+    const line = {
+      points: [
+        [1, 1],
+        [2, 1],
+      ] as const,
+      width: 0.05,
+    }
+    const full = {...emptyRoom, lines: Array.from({length: partLimits.lines}, () => line)}
+    expect(after(full, [lineTool, ...way([1, 1])])).toMatchObject({world: full, refused: "lines"})
   })
 })
 

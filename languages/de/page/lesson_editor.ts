@@ -74,6 +74,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Er sendet einen Befehl",
     answers: "Auf ein Ereignis folgt ein Befehl",
     silent: "Auf ein Ereignis folgt kein solcher Befehl",
+    never: "Ein Ereignis passiert nicht",
     says: "Er sagt diese Texte",
     ends: "Das Programm endet von selbst",
     function: "Eine Funktion hat mit diesen Typen zu tun",

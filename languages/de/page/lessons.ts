@@ -54,6 +54,8 @@ export const lessons: Words["lessons"] = {
   learned: "Das hast du gelernt",
   wellDone: "Lektion geschafft!",
   seen: {
+    "goal-late": (_n, time, name) => `„${name}“ war erst${seconds(time)} geschafft.`,
+    happened: (_n, time, name) => `\`${name}\` ist${seconds(time)} passiert.`,
     "goal-missed": (_n, time, name) => `„${name}“ wurde verfehlt${seconds(time)}.`,
     "goal-open": (_n, time, name) => `„${name}“ war noch offen${seconds(time)}.`,
     away: (n, time) => `Er war ${measure(n)} Meter davon entfernt${seconds(time)}.`,

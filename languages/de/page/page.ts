@@ -9,6 +9,7 @@ export const page: Omit<
   Words,
   | "backpack"
   | "blocks"
+  | "challenges"
   | "classroom"
   | "world"
   | "recordings"

@@ -30,6 +30,7 @@ export const world: Words["world"] = {
     solid: "Wandfelder",
     hole: "Löcher",
     floor: "Boden",
+    line: "Linie",
     reach: "Komm hierher",
     touch: "Berühre das",
     avoid: "Bleib weg",
@@ -47,6 +48,7 @@ export const world: Words["world"] = {
     solid: "Zieh über den Boden, um Felder mit Wand zu füllen.",
     hole: "Zieh über den Boden, um Löcher zu machen. Die Räder des Roboters fallen hinein.",
     floor: "Zieh über Wände oder Löcher, um wieder Boden daraus zu machen.",
+    line: "Zeichne die schwarze Linie, der ein Liniensensor folgt, oder klick ihre Ecken an.",
     reach: "Zieh einen Kreis. Der Roboter soll hineinkommen.",
     touch: "Zieh einen Kreis. Der Roboter soll dort an etwas stoßen.",
     avoid: "Zieh einen Kreis. Der Roboter soll draußen bleiben.",
@@ -67,6 +69,8 @@ export const world: Words["world"] = {
       `Ein Raum kann höchstens ${most} Wände, Kisten und Pfosten haben. Lösche etwas, bevor du mehr zeichnest.`,
     movable: (most: number) =>
       `Höchstens ${most} Dinge in einem Raum lassen sich schieben. Lösche eines, oder zeichne eines, das fest steht.`,
+    lines: (most: number) =>
+      `Ein Raum kann höchstens ${most} Linien haben. Nimm eine weg, bevor du eine neue zeichnest.`,
     goals: (most: number) =>
       `Ein Raum kann höchstens ${most} Ziele haben. Lösche eines, bevor du ein weiteres anlegst.`,
   },
@@ -100,6 +104,7 @@ export const world: Words["world"] = {
   wall: n => `Wand ${n}`,
   box: (n, movable) => `${movable ? "Kiste" : "Klotz"} ${n}`,
   unknown: n => `Unbekannter Bereich ${n}`,
+  floorLine: n => `Linie ${n}`,
   round: (n, movable) => `${movable ? "Tonne" : "Pfosten"} ${n}`,
   goals: {
     reach: "Komm an den Ort",

@@ -2,6 +2,7 @@
 
 import {backpack} from "./backpack.ts"
 import {blocks} from "./blocks.ts"
+import {challenges} from "./challenges.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
@@ -24,6 +25,7 @@ export const en = {
   backpack,
   blocks,
   world,
+  challenges,
   classroom,
   diagram,
   film,

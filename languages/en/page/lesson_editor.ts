@@ -72,6 +72,7 @@ export const lessonEditor = {
     sends: "It sends a command",
     answers: "After an event a command follows",
     silent: "After an event no such command follows",
+    never: "An event does not happen",
     says: "It says these texts",
     ends: "The program ends by itself",
     function: "A function is about these types",

@@ -54,6 +54,10 @@ export const lessons = {
   wellDone: "Lesson finished!",
   /// What was seen in a run, by the word of the service (protocol §9).
   seen: {
+    "goal-late": (_n: number | null, time: number | null, name: string) =>
+      `“${name}” was done only${seconds(time)}.`,
+    happened: (_n: number | null, time: number | null, name: string) =>
+      `\`${name}\` happened${seconds(time)}.`,
     "goal-missed": (_n: number | null, time: number | null, name: string) =>
       `“${name}” was missed${seconds(time)}.`,
     "goal-open": (_n: number | null, time: number | null, name: string) =>

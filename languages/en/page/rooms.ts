@@ -29,6 +29,7 @@ export const world = {
     solid: "Wall tiles",
     hole: "Holes",
     floor: "Floor",
+    line: "Line",
     reach: "Come here",
     touch: "Touch here",
     avoid: "Stay away",
@@ -46,6 +47,7 @@ export const world = {
     solid: "Drag over the floor to fill tiles with wall.",
     hole: "Drag over the floor to make holes. The robot's wheels drop into them.",
     floor: "Drag over walls or holes to make them floor again.",
+    line: "Draw the black line that a line sensor follows, or click its corners.",
     reach: "Drag a circle. The robot should come into it.",
     touch: "Drag a circle. The robot should bump into something there.",
     avoid: "Drag a circle. The robot should stay out of it.",
@@ -66,6 +68,7 @@ export const world = {
       `A room can hold at most ${most} walls, boxes and posts. Delete one before you draw another.`,
     movable: (most: number) =>
       `At most ${most} things in a room can be pushed. Delete one, or draw one that stands still.`,
+    lines: (most: number) => `A room can have at most ${most} lines. Delete one before you draw another.`,
     goals: (most: number) => `A room can have at most ${most} goals. Delete one before you add another.`,
   },
   snap: "Snap to the grid",
@@ -98,6 +101,7 @@ export const world = {
   wall: (n: number) => `Wall ${n}`,
   box: (n: number, movable: boolean) => `${movable ? "Box" : "Block"} ${n}`,
   unknown: (n: number) => `Unscanned area ${n}`,
+  floorLine: (n: number) => `Line ${n}`,
   round: (n: number, movable: boolean) => `${movable ? "Drum" : "Post"} ${n}`,
   /// What a goal without a title of its own is called; the service says the same (`world/goals.py`).
   goals: {

@@ -74,6 +74,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Envía un comando",
     answers: "Después de un evento sigue un comando",
     silent: "Después de un evento no sigue ese comando",
+    never: "Un evento no pasa",
     says: "Dice estos textos",
     ends: "El programa termina solo",
     function: "Una función trata de estos tipos",

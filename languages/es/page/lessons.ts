@@ -61,6 +61,8 @@ export const lessons: Words["lessons"] = {
   learned: "Lo que has aprendido",
   wellDone: "¡Lección terminada!",
   seen: {
+    "goal-late": (_n, time, name) => `«${name}» no se logró hasta${seconds(time)}.`,
+    happened: (_n, time, name) => `\`${name}\` pasó${seconds(time)}.`,
     "goal-missed": (_n, time, name) => `«${name}» no se ha logrado${seconds(time)}.`,
     "goal-open": (_n, time, name) => `«${name}» seguía pendiente${seconds(time)}.`,
     away: (n, time) => `Estaba a ${measure(n)} metros de ahí${seconds(time)}.`,

@@ -30,6 +30,7 @@ export const world: Words["world"] = {
     solid: "Pared maciza",
     hole: "Agujeros",
     floor: "Suelo",
+    line: "Línea",
     reach: "Ven aquí",
     touch: "Toca aquí",
     avoid: "No entres",
@@ -47,6 +48,7 @@ export const world: Words["world"] = {
     solid: "Arrastra por el suelo para llenar casillas de pared.",
     hole: "Arrastra por el suelo para hacer agujeros. Las ruedas del robot caen dentro.",
     floor: "Arrastra por paredes o agujeros para que vuelvan a ser suelo.",
+    line: "Dibuja la línea negra que sigue un sensor de línea, o haz clic en sus esquinas.",
     reach: "Arrastra para hacer un círculo. El robot debe llegar a él.",
     touch: "Arrastra para hacer un círculo. El robot debe chocar allí con algo.",
     avoid: "Arrastra para hacer un círculo. El robot no debe entrar en él.",
@@ -67,6 +69,8 @@ export const world: Words["world"] = {
       `Una sala puede tener como mucho ${most} paredes, cajas y postes. Elimina algo antes de dibujar más.`,
     movable: (most: number) =>
       `En una sala se pueden empujar como mucho ${most} cosas. Elimina una o dibuja una que no se mueva.`,
+    lines: (most: number) =>
+      `Una sala puede tener como mucho ${most} líneas. Borra una antes de dibujar otra.`,
     goals: (most: number) =>
       `Una sala puede tener como mucho ${most} objetivos. Elimina uno antes de añadir otro.`,
   },
@@ -100,6 +104,7 @@ export const world: Words["world"] = {
   wall: n => `Pared ${n}`,
   box: (n, movable) => `${movable ? "Caja" : "Bloque fijo"} ${n}`,
   unknown: n => `Área desconocida ${n}`,
+  floorLine: n => `Línea ${n}`,
   round: (n, movable) => `${movable ? "Barril" : "Poste"} ${n}`,
   goals: {
     reach: "Llega al lugar",

@@ -78,6 +78,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Il envoie un ordre",
     answers: "Après un événement vient un ordre",
     silent: "Après un événement cet ordre ne vient pas",
+    never: "Un événement n’arrive pas",
     says: "Il dit ces textes",
     ends: "Le programme se termine seul",
     function: "Une fonction traite ces types",

@@ -67,6 +67,8 @@ export const lessons: Words["lessons"] = {
   learned: "Ce que tu as appris",
   wellDone: "Leçon terminée !",
   seen: {
+    "goal-late": (_n, time, name) => `« ${name} » n’a été atteint que${seconds(time)}.`,
+    happened: (_n, time, name) => `\`${name}\` est arrivé${seconds(time)}.`,
     "goal-missed": (_n, time, name) => `« ${name} » a été manqué${seconds(time)}.`,
     "goal-open": (_n, time, name) => `« ${name} » était encore à faire${seconds(time)}.`,
     away: (n, time) => `Il en était à ${measure(n)}${seconds(time)}.`,

@@ -30,6 +30,7 @@ export const world: Words["world"] = {
     solid: "Cases de mur",
     hole: "Trous",
     floor: "Sol",
+    line: "Ligne",
     reach: "Viens ici",
     touch: "Touche ici",
     avoid: "N’approche pas",
@@ -48,6 +49,7 @@ export const world: Words["world"] = {
     solid: "Fais glisser sur le sol pour remplir des cases de mur.",
     hole: "Fais glisser sur le sol pour faire des trous. Les roues du robot y tombent.",
     floor: "Fais glisser sur des murs ou des trous pour remettre du sol.",
+    line: "Dessine la ligne noire que suit un capteur de ligne, ou clique sur ses coins.",
     reach: "Trace un cercle. Le robot doit venir dedans.",
     touch: "Trace un cercle. Le robot doit y heurter quelque chose.",
     avoid: "Trace un cercle. Le robot doit rester dehors.",
@@ -68,6 +70,8 @@ export const world: Words["world"] = {
       `Une salle peut contenir au plus ${most} murs, caisses et poteaux. Supprime quelque chose avant d’en dessiner d’autres.`,
     movable: (most: number) =>
       `Dans une salle, au plus ${most} choses peuvent être poussées. Supprimes-en une, ou dessine une chose fixe.`,
+    lines: (most: number) =>
+      `Une salle peut avoir au plus ${most} lignes. Supprimes-en une avant d’en dessiner une autre.`,
     goals: (most: number) =>
       `Une salle peut avoir au plus ${most} buts. Supprimes-en un avant d’en ajouter un autre.`,
   },
@@ -101,6 +105,7 @@ export const world: Words["world"] = {
   wall: n => `Mur ${n}`,
   box: (n, movable) => `${movable ? "Caisse" : "Cube"} ${n}`,
   unknown: n => `Zone inconnue ${n}`,
+  floorLine: n => `Ligne ${n}`,
   round: (n, movable) => `${movable ? "Tonneau" : "Poteau"} ${n}`,
   goals: {
     reach: "Viens à l’endroit",

@@ -5,6 +5,7 @@ import {measuresOf} from "../../../editor/src/words/number_formats.ts"
 import {table as wordsOnBlocks} from "../blocks/index.ts"
 import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
+import {challenges} from "./challenges.ts"
 import {classroom} from "./classroom.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
@@ -29,6 +30,7 @@ export const table: Table = {
     ...page,
     backpack,
     blocks,
+    challenges,
     classroom,
     world,
     diagram,

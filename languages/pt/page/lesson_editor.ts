@@ -74,6 +74,7 @@ export const lessonEditor: Words["lessonEditor"] = {
     sends: "Ele envia um comando",
     answers: "Depois de um evento vem um comando",
     silent: "Depois de um evento não vem esse comando",
+    never: "Um evento não acontece",
     says: "Ele diz estes textos",
     ends: "O programa termina sozinho",
     function: "Uma função trata destes tipos",

@@ -56,6 +56,8 @@ export const lessons: Words["lessons"] = {
   learned: "O que você aprendeu",
   wellDone: "Lição terminada!",
   seen: {
+    "goal-late": (_n, time, name) => `“${name}” só foi cumprido${seconds(time)}.`,
+    happened: (_n, time, name) => `\`${name}\` aconteceu${seconds(time)}.`,
     "goal-missed": (_n, time, name) => `“${name}” não deu certo${seconds(time)}.`,
     "goal-open": (_n, time, name) => `“${name}” ainda faltava${seconds(time)}.`,
     away: (n, time) => `Ele estava a ${measure(n)} m de lá${seconds(time)}.`,

@@ -30,6 +30,7 @@ export const world: Words["world"] = {
     solid: "Quadros de parede",
     hole: "Buracos",
     floor: "Chão",
+    line: "Linha",
     reach: "Venha aqui",
     touch: "Toque aqui",
     avoid: "Fique longe",
@@ -47,6 +48,7 @@ export const world: Words["world"] = {
     solid: "Arraste pelo chão para encher quadros com parede.",
     hole: "Arraste pelo chão para fazer buracos. As rodas do robô caem neles.",
     floor: "Arraste por paredes ou buracos para que virem chão de novo.",
+    line: "Desenhe a linha preta que um sensor de linha segue, ou clique nos cantos dela.",
     reach: "Arraste um círculo. O robô deve entrar nele.",
     touch: "Arraste um círculo. O robô deve bater em alguma coisa ali.",
     avoid: "Arraste um círculo. O robô deve ficar fora dele.",
@@ -67,6 +69,8 @@ export const world: Words["world"] = {
       `Uma sala pode ter no máximo ${most} paredes, caixas e postes. Apague algo antes de desenhar mais.`,
     movable: (most: number) =>
       `Numa sala, no máximo ${most} coisas podem ser empurradas. Apague uma ou desenhe uma que fique parada.`,
+    lines: (most: number) =>
+      `Uma sala pode ter no máximo ${most} linhas. Apague uma antes de desenhar outra.`,
     goals: (most: number) => `Uma sala pode ter no máximo ${most} metas. Apague uma antes de criar outra.`,
   },
   snap: "Prender à grade",
@@ -99,6 +103,7 @@ export const world: Words["world"] = {
   wall: n => `Parede ${n}`,
   box: (n, movable) => `${movable ? "Caixa" : "Bloco"} ${n}`,
   unknown: n => `Área desconhecida ${n}`,
+  floorLine: n => `Linha ${n}`,
   round: (n, movable) => `${movable ? "Tambor" : "Poste"} ${n}`,
   goals: {
     reach: "Venha até o lugar",

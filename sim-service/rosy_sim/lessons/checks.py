@@ -27,6 +27,7 @@ __all__ = [
     "Holds",
     "Measures",
     "Moves",
+    "Never",
     "Raises",
     "Reaches",
     "Returns",
@@ -60,7 +61,9 @@ class _Check(msgspec.Struct, tag_field="kind", forbid_unknown_fields=True, kw_on
 
 
 class Goals(_Check, tag="goals"):
-    """All goals of the room are done."""
+    """All goals of the room are done, at the latest at ``within`` when that is there."""
+
+    within: Span | None = None
 
 
 class Holds(_Check, tag="holds"):
@@ -152,6 +155,12 @@ class Silent(_Check, tag="silent"):
     after: Annotated[float, Meta(ge=0, le=600, description="Seconds.")] = 0.0
 
 
+class Never(_Check, tag="never"):
+    """An event does not happen."""
+
+    event: Pattern
+
+
 class Raises(_Check, tag="raises"):
     """Each time that an event happens, the robot gets faster by at least ``speed``, m/s, within so many seconds."""
 
@@ -229,6 +238,7 @@ Check = (
     | Returns
     | Answers
     | Silent
+    | Never
     | Says
     | Counts
     | Measures

@@ -33,6 +33,7 @@ __all__ = [
     "StepTexts",
     "attempts",
     "checked_step",
+    "decoded",
     "read_lesson",
 ]
 
@@ -52,6 +53,8 @@ class Step(msgspec.Struct, frozen=True, forbid_unknown_fields=True, kw_only=True
     kind: Literal["predict", "run", "investigate", "modify", "make"]
     seconds: Annotated[float, Meta(gt=0, le=MAX_SECONDS, description="How long a run is watched, s.")] | None = None
     checks: Annotated[list[Check], Meta(max_length=20)] = []
+    # Of a challenge: each check is a star, and the first is the goal (`CheckedStep`).
+    stars: bool = False
     answers: Annotated[list[Identifier], Meta(max_length=6)] = []
     right: Identifier | None = None
     # The file of the program that the step begins with; absent: the program as it is.
@@ -124,7 +127,7 @@ class Lesson:
 
 def checked_step(step: Step) -> CheckedStep | None:
     """What is to be watched of a step's run; ``None`` for a question."""
-    return None if step.seconds is None else CheckedStep(seconds=step.seconds, checks=step.checks)
+    return None if step.seconds is None else CheckedStep(seconds=step.seconds, checks=step.checks, stars=step.stars)
 
 
 def read_lesson(folder: Path) -> Lesson:
@@ -139,7 +142,7 @@ def read_lesson(folder: Path) -> Lesson:
     # First: a newer format may have other fields.
     if isinstance(value, dict) and isinstance(version := value.get("lesson"), int):
         refuse_newer(path, version, VERSION)
-    file = _decoded(value, LessonFile, path)
+    file = decoded(value, LessonFile, path)
     world = _world(file, path)
     arena = usable_arena(world, f"{path}: room")
     _examine(file, arena, path)
@@ -164,7 +167,13 @@ def attempts(folder: Path, of: Literal["solutions", "wrong"], step: str) -> list
 _T = TypeVar("_T")
 
 
-def _decoded(value: object, kind: type[_T], path: Path) -> _T:
+def decoded(value: object, kind: type[_T], path: Path) -> _T:
+    """
+    The content of a file as one of the types here.
+
+    Raises:
+        BadInput: the first mistake, with its place.
+    """
     try:
         return msgspec.convert(value, kind)
     except msgspec.ValidationError as error:
@@ -277,7 +286,7 @@ def _texts(folder: Path, file: LessonFile) -> dict[str, LessonTexts]:
     for path in sorted((folder / "texts").glob("*.json")):
         if not _LANGUAGES.fullmatch(path.stem):
             raise BadInput(tr("{path}: the name of the file must be that of a language, such as de.json.", path=path))
-        found[path.stem] = texts = _decoded(read_json(path, tr("lesson's text")), LessonTexts, path)
+        found[path.stem] = texts = decoded(read_json(path, tr("lesson's text")), LessonTexts, path)
         for missing in _missing_texts(file, texts):
             raise BadInput(tr("{path}: {missing} is missing.", path=path, missing=missing))
     if "en" not in found:

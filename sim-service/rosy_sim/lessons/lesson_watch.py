@@ -19,7 +19,7 @@ from ..wire.verdict import Verdict
 from ..world.arena import Arena
 from ..world.properties import BadProperty, PropertyTracker, read_properties
 from .channel_patterns import BadPattern, channel_pattern
-from .checks import At, Check, Faces, Holds
+from .checks import At, Check, Faces, Goals, Holds
 from .program_graph import ProgramGraph
 from .recording import Recording
 from .verdicts import judge
@@ -34,10 +34,16 @@ _INTERVAL = 50
 
 
 class CheckedStep(msgspec.Struct, frozen=True, kw_only=True):
-    """What of a lesson's step the judgement of a run needs: how long it is watched, s, and its checks."""
+    """
+    What of a lesson's step the judgement of a run needs: how long it is watched, s, and its checks.
+
+    With ``stars`` each check is a star. The first is about the goals of the room: without it a run has no star, and the
+    watch is over as soon as it is done.
+    """
 
     seconds: Annotated[float, Meta(gt=0, le=MAX_SECONDS)]
     checks: Annotated[list[Check], Meta(max_length=20)] = []
+    stars: bool = False
 
 
 class BadStep(SentenceError):
@@ -56,6 +62,8 @@ def examine_step(step: CheckedStep, arena: Arena) -> None:
     Raises:
         BadStep: the first that cannot.
     """
+    if step.stars and not (step.checks and isinstance(step.checks[0], Goals)):
+        raise BadStep("checks[0]", tr("the first star must be about the goals of the room."))
     places = sum(goal.kind in ("reach", "touch") for goal in arena.goals)
     for i, check in enumerate(step.checks):
         where = f"checks[{i}]"
@@ -103,7 +111,16 @@ class LessonWatch:
 
     @property
     def _lasted(self) -> bool:
-        return self._recording.time >= self._step.seconds - 1e-9 or self._recording.done is not None
+        recording = self._recording
+        return recording.time >= self._step.seconds - 1e-9 or recording.done is not None or self._has_first_star
+
+    @property
+    def _has_first_star(self) -> bool:
+        """Whether the goal of a challenge is reached."""
+        if not self._step.stars:
+            return False
+        (goal,) = judge(self._step.checks[:1], self._recording, None, False)
+        return goal.state == "done"
 
     def set_graph(self, graph: ProgramGraph) -> bool:
         """The compiler has answered. Returns whether a verdict has changed."""
@@ -116,7 +133,7 @@ class LessonWatch:
             return False
         self._recording.add(lockstep)
         self._judged += 1
-        if self._recording.time >= self._step.seconds - 1e-9:
+        if self._recording.time >= self._step.seconds - 1e-9 or self._has_first_star:
             return self.finish()
         return self._judged % _INTERVAL == 0 and self._judge()
 

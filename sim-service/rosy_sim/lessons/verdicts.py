@@ -31,6 +31,7 @@ from .checks import (
     Holds,
     Measures,
     Moves,
+    Never,
     Raises,
     Reaches,
     Returns,
@@ -105,6 +106,8 @@ def _judged(check: Check, recording: Recording, graph: ProgramGraph | None, fina
             return _answers(check, recording, final)
         case Silent():
             return _silent(check, recording, final)
+        case Never():
+            return _never(check, recording, final)
 
 
 def _done(check: Check) -> Verdict:
@@ -143,7 +146,11 @@ def _goals(check: Goals, recording: Recording, final: bool) -> Verdict:
     waiting = [goal for goal in recording.goals if goal.state == "open" and goal.kind != "avoid"]
     if waiting:
         seen = Seen("goal-open", recording.time, number=waiting[0].progress, name=waiting[0].title)
-        return _missed(check, seen) if final else Verdict(check.id, "open", seen)
+        is_late = check.within is not None and recording.time > check.within
+        return _sooner_or_later(check, False, final or is_late, seen)
+    for goal in recording.goals:
+        if check.within is not None and goal.time is not None and goal.time > check.within + 1e-9:
+            return _missed(check, Seen("goal-late", goal.time, name=goal.title))
     is_kept = all(goal.state == "done" for goal in recording.goals) or final
     return _done(check) if is_kept else Verdict(check.id, "open")
 
@@ -356,6 +363,14 @@ def _silent(check: Silent, recording: Recording, final: bool) -> Verdict:
     if not events:
         return _sooner_or_later(check, False, final, Seen("not-happened", number=0.0, name=check.event))
     return _done(check) if final or recording.done is not None else Verdict(check.id, "open")
+
+
+def _never(check: Never, recording: Recording, final: bool) -> Verdict:
+    events = _matching(channel_pattern(check.event, "event"), recording.events)
+    if events:
+        return _missed(check, Seen("happened", events[0].time, name=check.event))
+    is_over = final or recording.done is not None
+    return _done(check) if is_over and recording.samples else Verdict(check.id, "open")
 
 
 def _matching(pattern: ChannelPattern, happenings: Iterable[Happening]) -> list[Happening]:

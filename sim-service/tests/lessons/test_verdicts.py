@@ -138,6 +138,25 @@ def test_goals_of_the_room() -> None:
     assert verdict(goals, Recording(ARENA), final=False).state == "open"
 
 
+def test_goals_of_the_room_in_time() -> None:
+    goals = {"kind": "goals", "within": 4}
+    in_time, late = (driven(0, goals=[GoalState("reach", "Ring", "done", 1, time)]) for time in (4.0, 4.5))
+    assert verdict(goals, in_time).state == "done"
+    assert verdict(goals, late).seen == Seen("goal-late", 4.5, name="Ring")
+    # It is too late before the run is over.
+    still_open = driven(0, goals=[GoalState("reach", "Ring", "open", 0.4, None)])
+    assert verdict(goals, still_open, final=False).state == "missed"
+
+
+def test_an_event_that_must_not_happen() -> None:
+    never = {"kind": "never", "event": "Bumper _ Pressed"}
+    bumped = driven(0, events=[at(3, "Bumper", *PRESSED)])
+    assert verdict(never, bumped, final=False) == Verdict("it", "missed", Seen("happened", 3, name="Bumper _ Pressed"))
+    assert verdict(never, driven(0, events=[at(3, "Bumper", *RELEASED)])).state == "done"
+    assert verdict(never, driven(0), final=False).state == "open"
+    assert verdict(never, Recording(ARENA)).state == "open"
+
+
 GRAPH = ProgramGraph(
     [
         GraphFunction("bump", ["Bumper", "Memory Int"], ["Memory Int", "Maybe Say"]),

@@ -1,7 +1,7 @@
 /// Commands of the lessons: their list, opening one, its steps and programs, and the progress in the browser's storage.
 
 import {newProject, saveProject} from "@rosy/codegen"
-import {fetchLesson, fetchLessons} from "../../browser/remote_resources.ts"
+import {fetchChallenges, fetchLesson, fetchLessons} from "../../browser/remote_resources.ts"
 import {fragmentOf} from "../../browser/share_link.ts"
 import type {Store} from "../../browser/store.ts"
 import {draftsKey, readDrafts} from "../../lesson_files/draft_storage.ts"
@@ -25,7 +25,7 @@ import type {Origin, ProgramLoader} from "../programs/program_loader.ts"
 
 type LessonCommands = Pick<
   AppController,
-  "openLessons" | "openLesson" | "lessonLink" | "goToStep" | "restartStep" | "leaveLesson"
+  "openLessons" | "openChallenges" | "openLesson" | "lessonLink" | "goToStep" | "restartStep" | "leaveLesson"
 >
 
 const progressKey = "rosy.lessons"
@@ -35,17 +35,25 @@ const openFileKey = "rosy.lesson.file"
 
 export function lessonCommands(store: Store, loader: ProgramLoader): LessonCommands {
   const dispatch = (event: LessonEvent) => store.dispatch({kind: "lesson", event})
+  const request = (of: "list" | "challenges", fetchList: typeof fetchLessons) => {
+    if (store.now.lessons[of].kind === "there") return
+    dispatch({kind: "listed", of, list: {kind: "asked"}})
+    void fetchList(document.documentElement.lang).then(answer =>
+      dispatch({
+        kind: "listed",
+        of,
+        list: answer.kind === "there" ? {kind: "there", lessons: answer.value} : {kind: "failed"},
+      }),
+    )
+  }
   return {
     openLessons() {
       store.dispatch({kind: "dialog", dialog: "lessons"})
-      if (store.now.lessons.list.kind === "there") return
-      dispatch({kind: "listed", list: {kind: "asked"}})
-      void fetchLessons(document.documentElement.lang).then(answer =>
-        dispatch({
-          kind: "listed",
-          list: answer.kind === "there" ? {kind: "there", lessons: answer.value} : {kind: "failed"},
-        }),
-      )
+      request("list", fetchLessons)
+    },
+    openChallenges() {
+      store.dispatch({kind: "dialog", dialog: "challenges"})
+      request("challenges", fetchChallenges)
     },
     openLesson(name) {
       const isCurrent = loader.requests.choose()

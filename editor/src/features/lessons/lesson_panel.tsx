@@ -3,8 +3,9 @@
 import type {VNode} from "preact"
 import {useEffect, useMemo, useState} from "preact/hooks"
 import {guidePageOfCourse} from "../../help/guide_links.ts"
-import type {Step} from "../../lesson_files/lesson.ts"
+import type {Lesson, Step} from "../../lesson_files/lesson.ts"
 import {seenText} from "../../lesson_files/seen_text.ts"
+import {hasStars} from "../../lesson_files/stars.ts"
 import {currentStep, editedDraft, isDone, type OpenLesson, shownHints} from "../../state/lesson_state.ts"
 import {compiled} from "../../state/visible_findings.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
@@ -14,6 +15,7 @@ import {RehearsalReport} from "../../ui/rehearsal_report.tsx"
 import type {Verdict} from "../../wire/verdict.generated.ts"
 import {words} from "../../words/index.ts"
 import {type Hint, hintedChecks, hintsOf} from "./hints.ts"
+import {StarResult} from "./star_result.tsx"
 
 export function LessonPanel(): VNode | null {
   const controller = useController()
@@ -22,15 +24,14 @@ export function LessonPanel(): VNode | null {
   if (open === null) return null
   const {lesson} = open
   const more = guidePageOfCourse(lesson.course)
+  const kind = isChallenge(lesson) ? words.challenges : words.lessons
   return (
     <aside class="lesson" aria-label={words.lessons.panel}>
       {isTrial && <Trial />}
       <header>
-        <p class="quiet">
-          {lesson.number === null ? words.lessons.panel : words.lessons.number(lesson.number)}
-        </p>
+        <p class="quiet">{lesson.number === null ? words.lessons.panel : kind.number(lesson.number)}</p>
         {!isTrial && (
-          <IconButton label={words.lessons.leave} onClick={() => controller.leaveLesson()}>
+          <IconButton label={kind.leave} onClick={() => controller.leaveLesson()}>
             <CloseIcon />
           </IconButton>
         )}
@@ -134,7 +135,8 @@ function StepBody({open, step, done}: {open: OpenLesson; step: Step; done: boole
           <TextWithCode text={step.after} strong={null} />
         </p>
       )}
-      {step.checks.length > 0 && !done && <Hints open={open} step={step} />}
+      {hasStars(step) && <StarResult open={open} step={step} />}
+      {step.checks.length > 0 && (!done || hasStars(step)) && <Hints open={open} step={step} />}
     </div>
   )
 }
@@ -179,7 +181,13 @@ function Checks({open, step}: {open: OpenLesson; step: Step}): VNode {
       {step.checks.length > 0 && (
         <ul class="checks" aria-live="polite">
           {step.checks.map(check => (
-            <CheckLine key={check.id} text={check.text} verdict={verdict(check.id)} hasRun={hasRun} />
+            <CheckLine
+              key={check.id}
+              text={check.text}
+              verdict={verdict(check.id)}
+              hasRun={hasRun}
+              marks={hasStars(step) ? stars : marks}
+            />
           ))}
         </ul>
       )}
@@ -200,8 +208,14 @@ function LastRun(props: {seconds: number; over: boolean; checks: readonly Verdic
 }
 
 const marks = {done: "✓", missed: "✗", open: "·"} as const
+const stars = {done: "★", missed: "☆", open: "☆"} as const
 
-function CheckLine(props: {text: string; verdict: Verdict | null; hasRun: boolean}): VNode {
+function CheckLine(props: {
+  text: string
+  verdict: Verdict | null
+  hasRun: boolean
+  marks: {readonly [state in Verdict["state"]]: string}
+}): VNode {
   const {verdict, hasRun} = props
   // Before a run only what is done is known: nothing has been tried yet.
   const state = verdict === null || (!hasRun && verdict.state !== "done") ? "open" : verdict.state
@@ -209,7 +223,7 @@ function CheckLine(props: {text: string; verdict: Verdict | null; hasRun: boolea
   return (
     <li class={`check ${state}`} data-check-state={state}>
       <span class="mark" aria-hidden="true">
-        {marks[state]}
+        {props.marks[state]}
       </span>
       <span>
         <TextWithCode text={props.text} strong={null} />
@@ -290,13 +304,12 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
   const done = usePageState(s => step !== undefined && isDone(s.lessons, step))
   const all = usePageState(s => open.lesson.steps.every(one => isDone(s.lessons, one)))
   const {lesson, at} = open
-  if (!done && step?.watched != null)
-    return (
-      <button type="button" class="link restart" onClick={() => controller.restartStep()}>
-        {words.lessons.again}
-      </button>
-    )
-  if (!done) return null
+  const again = (
+    <button type="button" class="link restart" onClick={() => controller.restartStep()}>
+      {words.lessons.again}
+    </button>
+  )
+  if (!done) return step?.watched != null ? again : null
   if (at + 1 < lesson.steps.length)
     return (
       <button type="button" class="go" onClick={() => controller.goToStep(at + 1)}>
@@ -304,9 +317,11 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
       </button>
     )
   const {next} = lesson
+  const challenge = isChallenge(lesson)
   return (
     <div class="lesson-end">
-      {all && (
+      {challenge && again}
+      {all && !challenge && (
         <>
           <h3>{words.lessons.wellDone}</h3>
           {lesson.learned !== "" && (
@@ -318,7 +333,7 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
       )}
       {next !== null && (
         <button type="button" class="go" onClick={() => controller.openLesson(next)}>
-          {words.lessons.nextLesson}
+          {challenge ? words.challenges.nextChallenge : words.lessons.nextLesson}
         </button>
       )}
       <button type="button" class="plain" onClick={() => controller.leaveLesson()}>
@@ -327,6 +342,8 @@ function WayOn({open}: {open: OpenLesson}): VNode | null {
     </div>
   )
 }
+
+const isChallenge = ({steps}: Lesson): boolean => steps.some(hasStars)
 
 function guessBefore({lesson, at, answers}: OpenLesson): string | null {
   const before = lesson.steps.slice(0, at).findLast(step => step.kind === "predict")

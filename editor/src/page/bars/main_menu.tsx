@@ -60,6 +60,7 @@ function MenuItems({close}: {close: () => void}): VNode {
       {size === "phone" && <UndoRedo />}
       <div class="from-bar">
         {item(words.lessons.title, controller.openLessons)}
+        {item(words.challenges.title, controller.openChallenges)}
         {item(words.examples, controller.openGallery)}
       </div>
       {item(words.myPrograms.title, controller.openMyPrograms)}

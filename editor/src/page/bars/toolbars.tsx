@@ -6,7 +6,7 @@ import {type Region, setVisible, type View, viewOf} from "../../state/arrangemen
 import {awaitsProgram} from "../../state/page_state.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {SegmentedControl} from "../../ui/controls.tsx"
-import {BlocksIcon, DiagramIcon, LogoIcon, RoomIcon, TextIcon} from "../../ui/icons.tsx"
+import {BlocksIcon, DiagramIcon, LogoIcon, RoomIcon, StarIcon, TextIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
 import {LayoutMenu} from "./layout_menu.tsx"
 import {MainMenu} from "./main_menu.tsx"
@@ -29,6 +29,17 @@ export function TopBar(): VNode {
       {size !== "phone" && (
         <button type="button" class="plain to-menu" onClick={() => controller.openLessons()}>
           {words.lessons.title}
+        </button>
+      )}
+      {size !== "phone" && (
+        <button
+          type="button"
+          class="plain icon to-menu"
+          title={words.challenges.title}
+          aria-label={words.challenges.title}
+          onClick={() => controller.openChallenges()}
+        >
+          <StarIcon />
         </button>
       )}
       {size !== "phone" && (
@@ -71,7 +82,7 @@ function useFullness(bar: RefObject<HTMLElement>): void {
   })
 }
 
-/// My programs, the word beside the logo, the word of the diagram, lessons and examples.
+/// My programs, the word beside the logo, the word of the diagram, lessons, challenges and examples.
 const fullest = 4
 
 /// What an embedded page needs: the program's name, Run, and the way to a page of its own.

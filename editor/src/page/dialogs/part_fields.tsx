@@ -77,6 +77,12 @@ export function PartFields({
         </>
       )
     }
+    case "line": {
+      const line = world.lines[part.index]
+      if (line === undefined) return null
+      const set = (width: number) => change({...world, lines: put(world.lines, part.index, {...line, width})})
+      return <Metres label={words.world.width} value={line.width} set={set} />
+    }
     case "goal": {
       const goal = world.goals[part.index]
       if (goal === undefined) return null

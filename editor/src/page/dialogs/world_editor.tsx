@@ -198,6 +198,7 @@ const pictures: Readonly<Record<Tool, VNode>> = {
       <path d="M9 3v12M3 9h12" {...stroke} stroke-width={1} />
     </>
   ),
+  line: <path d="M3 13c2-8 5-8 6-4s3.5 4 6-4" {...stroke} stroke-width={2.6} />,
   reach: (
     <>
       <circle cx="9" cy="9" r="5.8" {...dashed} />

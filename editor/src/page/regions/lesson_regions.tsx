@@ -18,20 +18,31 @@ export function LessonRegion(): VNode | null {
 export function LessonsDialog(): VNode {
   return (
     <Dialog name="lessons" title={words.lessons.title} lead={words.lessons.lead}>
-      {() => <FetchedList />}
+      {() => <Fetched part={list} />}
     </Dialog>
   )
 }
 
-function FetchedList(): VNode | null {
-  const List = useFetched(true, list)
-  return List === null ? null : <List />
+export function ChallengesDialog(): VNode {
+  const {title, lead} = words.challenges
+  return (
+    <Dialog name="challenges" title={title} lead={lead}>
+      {() => <Fetched part={challengeList} />}
+    </Dialog>
+  )
+}
+
+function Fetched({part}: {part: () => Promise<ComponentType>}): VNode | null {
+  const Part = useFetched(true, part)
+  return Part === null ? null : <Part />
 }
 
 const panel = () => import("../../features/lessons/lesson_panel.tsx").then(found => found.LessonPanel)
 const editor = () =>
   import("../../features/lesson_editor/lesson_editor_panel.tsx").then(found => found.LessonEditorPanel)
 const list = () => import("../../features/lessons/lesson_list.tsx").then(found => found.LessonList)
+const challengeList = () =>
+  import("../../features/lessons/challenge_list.tsx").then(found => found.ChallengeList)
 
 function useFetched(isWanted: boolean, fetchIt: () => Promise<ComponentType>): ComponentType | null {
   const [found, setFound] = useState<{readonly component: ComponentType} | null>(null)

@@ -12,6 +12,7 @@ from starlette.routing import BaseRoute, Route
 
 from ...errors import BadInput, RosyError
 from ...lessons.catalogue import lesson_json, lesson_list
+from ...lessons.challenges import challenge_json, challenge_list
 from ...sentences.sentence import tr
 from ...worlds.gallery import named_world, world_names
 from .example_paths import ExamplePaths
@@ -23,7 +24,7 @@ __all__ = ["Catalogue"]
 
 class Catalogue:
     """
-    Examples and lessons of a folder, and the rooms of the gallery.
+    Examples, lessons and challenges of a folder, and the rooms of the gallery.
 
     Args:
         folder: of the examples.
@@ -42,6 +43,7 @@ class Catalogue:
             Route("/api/examples/{name}/path", self._example_path),
             Route("/api/lessons", self._lessons),
             Route("/api/lessons/{name}", self._lesson),
+            Route("/api/challenges", self._challenges),
             Route("/api/worlds", self._worlds),
             Route("/api/worlds/{name}", self._world),
         ]
@@ -69,15 +71,22 @@ class Catalogue:
 
     async def _lessons(self, _request: Request) -> Response:
         """Name, course, titles of each, in their order."""
-        return await self._lesson_answer(lesson_list)
+        return await self._lesson_answer(lambda folder: lesson_list(folder / "lessons"))
 
     async def _lesson(self, request: Request) -> Response:
-        """A lesson with its room, programs and texts."""
-        return await self._lesson_answer(lambda folder: lesson_json(folder, request.path_params["name"]))
+        """A lesson or a challenge with its room, programs and texts."""
+        name = request.path_params["name"]
+        return await self._lesson_answer(
+            lambda folder: lesson_json(folder / "lessons", name) or challenge_json(folder / "challenges", name)
+        )
+
+    async def _challenges(self, _request: Request) -> Response:
+        """Name, stars and titles of each, in their order."""
+        return await self._lesson_answer(lambda folder: challenge_list(folder / "challenges"))
 
     async def _lesson_answer(self, read: Callable[[Path], object]) -> Response:
         try:
-            found = await asyncio.to_thread(read, self._folder / "lessons")
+            found = await asyncio.to_thread(read, self._folder)
         except BadInput as error:
             return failure(error.sentence, 500)
         if found is None:

@@ -147,6 +147,10 @@ function outline(ctx: CanvasRenderingContext2D, world: World, part: Part): void 
       if (round !== undefined) circle(round.x, round.y, round.r)
       break
     }
+    case "line":
+      for (const [i, p] of (world.lines[part.index]?.points ?? []).entries())
+        if (i > 0) line(world.lines[part.index]?.points[i - 1] ?? p, p)
+      break
     case "goal": {
       const goal = world.goals[part.index]
       if (goal === undefined) break
