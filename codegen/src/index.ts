@@ -70,7 +70,7 @@ export {
   saveProject,
 } from "./workspace/project_file.ts"
 export {rename, renameNamed} from "./workspace/renaming/renaming.ts"
-export {usableWith, withoutMissingParts} from "./workspace/toolbox/missing_parts.ts"
+export {usableItems, withoutMissingParts} from "./workspace/toolbox/missing_parts.ts"
 export {withOnlyEvent} from "./workspace/toolbox/own_events.ts"
 export {toolbox} from "./workspace/toolbox/toolbox.ts"
 export {libraryItems, typedItems} from "./workspace/toolbox/toolbox_search.ts"

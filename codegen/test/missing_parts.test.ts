@@ -1,9 +1,10 @@
 /// The toolbox of a robot without some sensors and commands.
 
-import {expect, it} from "vitest"
+import {expect, it, vi} from "vitest"
 import {robot} from "../src/robot/description.generated.ts"
-import {usableWith, withoutMissingParts} from "../src/workspace/toolbox/missing_parts.ts"
+import {usableItems, usableWith, withoutMissingParts} from "../src/workspace/toolbox/missing_parts.ts"
 import {toolbox} from "../src/workspace/toolbox/toolbox.ts"
+import {libraryItems} from "../src/workspace/toolbox/toolbox_search.ts"
 
 const {kobuki, turtlebot3} = robot.simulated
 const namesOf = (lacks: readonly string[]) =>
@@ -31,4 +32,15 @@ it("leaves out a ready-made task that calls one which needs a missing part", () 
     false,
     false,
   ])
+})
+
+it("reads the definitions of the library a few times for all that the search finds, and never for Kobuki", () => {
+  const items = libraryItems()
+  expect(usableItems(items, kobuki.lacks)).toBe(items)
+  const read = vi.spyOn(JSON, "stringify")
+  const usable = usableItems(items, turtlebot3.lacks)
+  const reads = read.mock.calls.length
+  read.mockRestore()
+  expect(reads).toBeLessThan(5 * items.length)
+  expect(usable.length).toBeLessThan(items.length)
 })

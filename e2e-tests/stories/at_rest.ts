@@ -12,10 +12,15 @@ export interface Box {
   readonly height: number
 }
 
-/// Resolves after the next two animation frames: what was done before is handled and drawn.
+/// Resolves after the next two animation frames: what was done before is handled and drawn. They come without the pause that `story.ts` makes
+/// between frames.
 export function drawn(page: Page): Promise<void> {
   return page.evaluate(
-    () => new Promise<void>(done => requestAnimationFrame(() => requestAnimationFrame(() => done()))),
+    () =>
+      new Promise<void>(done => {
+        window.dispatchEvent(new Event("story-looks"))
+        requestAnimationFrame(() => requestAnimationFrame(() => done()))
+      }),
   )
 }
 

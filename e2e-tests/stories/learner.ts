@@ -213,11 +213,14 @@ export async function until(value: Locator, ...claims: readonly ((n: number) => 
   const call = ++calls
   const open = [...claims]
   await expect
-    .poll(async () => {
-      for (const said of await value.evaluate(sinceLook, call))
-        while (open[0]?.(Number.parseFloat(said))) open.shift()
-      return open.length
-    })
+    .poll(
+      async () => {
+        for (const said of await value.evaluate(sinceLook, call))
+          while (open[0]?.(Number.parseFloat(said))) open.shift()
+        return open.length
+      },
+      {intervals: [100]},
+    )
     .toBe(0)
 }
 

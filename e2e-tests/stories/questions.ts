@@ -3,7 +3,7 @@
 
 import {readFileSync} from "node:fs"
 import {join} from "node:path"
-import {expect, type Page, type WebSocketRoute} from "@playwright/test"
+import {expect, type Page} from "@playwright/test"
 import {root} from "./service.ts"
 
 export interface AskedQuestion {
@@ -93,132 +93,165 @@ export type QuestionTimes =
   | {readonly since: number; readonly until: number}
   | Record<string, never>
 
-export class ControlledRuns {
-  #server: WebSocketRoute | null = null
-  #run: QuestionedRun | null = null
+/// Something that a hand does after a step, or with nothing to do: the page gets a frame of that step.
+interface Stop {
+  readonly step: number
+  readonly input?: object
+}
+
+/// What is changed on the page's connection, in the page: passed on through the test process, thousands of frames take more processor time
+/// than all that the page does with them.
+interface RunControl {
+  /// The next run stops at each of these steps; the last one is its end. `null` before a story asked for one.
+  stops: Stop[] | null
   /// The number of the run; `null` before it was pressed.
-  #number: number | null = null
-  #step = 0
-  /// Steps at which something is to be done, and what.
-  #stops: {readonly step: number; readonly act: () => void}[] = []
-  #requested = 0
-  /// Single steps that are requested before are lost; the room is shown before as well.
-  #isRunning = false
-  #isDone = false
-  #hasEnded = false
-  #times: QuestionTimes = {}
-  /// Farthest that a time which the page sent was from the one that was wanted, s.
-  #offset = 0
-
-  static async of(page: Page): Promise<ControlledRuns> {
-    const runs = new ControlledRuns()
-    await page.routeWebSocket(/\/api\/session/, socket => {
-      const server = socket.connectToServer()
-      runs.#server = server
-      socket.onMessage(text => server.send(runs.#fromPage(String(text))))
-      server.onMessage(text => {
-        socket.send(text)
-        runs.#fromService(String(text))
-      })
-    })
-    return runs
-  }
-
-  /// The next run is this one. The page gets a frame of each of these moments (s): between two of them the service leaves out frames that the
-  /// page has not read before the next.
-  repeats(run: QuestionedRun, moments: readonly number[]): void {
-    const hands = run.hands.map(({at, does}) => ({
-      step: Math.round(at * stepsPerSecond),
-      act: () => this.#send({op: "input", ...does}),
-    }))
-    this.#run = run
-    this.#number = null
-    this.#isDone = false
-    this.#hasEnded = false
-    const last = Math.round(run.seconds * stepsPerSecond)
-    const asked = moments
-      .map(moment => ({step: Math.round(moment * stepsPerSecond), act: () => {}}))
-      .filter(({step}) => step < last)
-    const end = {
-      step: last,
-      act: () => {
-        this.#isDone = true
-      },
-    }
-    this.#stops = [...[...hands, ...asked].sort((a, b) => a.step - b.step), end]
-  }
-
+  run: number | null
+  step: number
+  isDone: boolean
   /// Whether the program ended by itself, before the time of the run.
-  get hasEnded(): boolean {
-    return this.#hasEnded
-  }
+  hasEnded: boolean
+  times: QuestionTimes
+  /// Farthest that a time which the page sent was from the one that was wanted, s.
+  offset: number
+}
 
-  /// A busy machine makes ten single steps a second, and a run has up to 1,500: each step is waited for.
-  async isOver(): Promise<void> {
-    while (!this.#isDone) {
-      const before = this.#step
-      await expect.poll(() => this.#isDone || this.#step !== before).toBe(true)
+type ControlledWindow = Window & {rosyControl?: RunControl}
+
+/// In the page: takes over its connection to the service.
+function controlConnection(stepsAhead: number): void {
+  const control: RunControl = {
+    stops: null,
+    run: null,
+    step: 0,
+    isDone: false,
+    hasEnded: false,
+    times: {},
+    offset: 0,
+  }
+  ;(window as ControlledWindow).rosyControl = control
+  let requested = 0
+  /// Single steps that are requested before are lost; the room is shown before as well.
+  let isRunning = false
+
+  const goOn = (send: (message: object) => void): void => {
+    const stop = control.stops?.[0]
+    if (stop === undefined || control.step < requested) return
+    if (control.step >= stop.step) {
+      control.stops?.shift()
+      if (stop.input !== undefined) send({op: "input", ...stop.input})
+      if (control.stops?.length === 0) control.isDone = true
+      goOn(send)
+      return
     }
+    const upTo = Math.min(stop.step, control.step + stepsAhead)
+    for (let step = control.step; step < upTo; step++) send({op: "forward"})
+    requested = upTo
   }
 
-  /// The next question is about exactly these times. The page sends those of the frame that it shows.
-  asksAbout(times: QuestionTimes): void {
-    this.#times = times
-    this.#offset = 0
-  }
-
-  get offset(): number {
-    return this.#offset
-  }
-
-  #send(message: object): void {
-    this.#server?.send(JSON.stringify(message))
-  }
-
-  #fromPage(text: string): string {
+  const fromPage = (text: string): string => {
     const message = JSON.parse(text)
     if (message.op === "why" || message.op === "whyNot") {
-      const last = "until" in this.#times ? "until" : "time"
-      const wanted = (this.#times as Record<string, number>)[last]
+      const last = "until" in control.times ? "until" : "time"
+      const wanted = (control.times as Record<string, number>)[last]
       if (wanted !== undefined && message[last] !== undefined)
-        this.#offset = Math.max(this.#offset, Math.abs(message[last] - wanted))
-      return JSON.stringify({...message, ...this.#times})
+        control.offset = Math.max(control.offset, Math.abs(message[last] - wanted))
+      return JSON.stringify({...message, ...control.times})
     }
-    if (message.op !== "run" || this.#run === null) return text
-    this.#number = message.run
-    this.#step = 0
-    this.#requested = 0
-    this.#isRunning = false
+    if (message.op !== "run" || control.stops === null) return text
+    control.run = message.run
+    control.step = 0
+    requested = 0
+    isRunning = false
     // A message that stops the clock could come after the first step.
     return JSON.stringify({...message, seed: 1, paused: true})
   }
 
-  #fromService(text: string): void {
+  const fromService = (text: string, send: (message: object) => void): void => {
     const message = JSON.parse(text)
-    if (this.#number === null || message.run !== this.#number || this.#isDone) return
+    if (control.run === null || message.run !== control.run || control.isDone) return
     if (message.op === "state" && message.state === "ended") {
-      this.#hasEnded = true
-      this.#isDone = true
+      control.hasEnded = true
+      control.isDone = true
     } else if (message.op === "state" && message.state === "running") {
-      this.#isRunning = true
-      this.#goOn()
-    } else if (message.op === "frame" && this.#isRunning) {
-      this.#step = message.step
-      this.#goOn()
+      isRunning = true
+      goOn(send)
+    } else if (message.op === "frame" && isRunning) {
+      control.step = message.step
+      goOn(send)
     }
   }
 
-  #goOn(): void {
-    const stop = this.#stops[0]
-    if (stop === undefined || this.#step < this.#requested) return
-    if (this.#step >= stop.step) {
-      this.#stops.shift()
-      stop.act()
-      this.#goOn()
-      return
+  window.WebSocket = class extends WebSocket {
+    constructor(address: string | URL, protocols?: string | string[]) {
+      super(address, protocols)
+      if (!String(address).includes("/api/session")) return
+      const send = this.send.bind(this)
+      this.send = text => send(fromPage(String(text)))
+      this.addEventListener("message", ({data}) =>
+        fromService(String(data), message => send(JSON.stringify(message))),
+      )
     }
-    const upTo = Math.min(stop.step, this.#step + stepsAhead)
-    for (let step = this.#step; step < upTo; step++) this.#send({op: "forward"})
-    this.#requested = upTo
+  }
+}
+
+export class ControlledRuns {
+  readonly #page: Page
+
+  private constructor(page: Page) {
+    this.#page = page
+  }
+
+  /// Before the page is opened.
+  static async of(page: Page): Promise<ControlledRuns> {
+    await page.addInitScript(controlConnection, stepsAhead)
+    return new ControlledRuns(page)
+  }
+
+  /// The next run is this one. The page gets a frame of each of these moments (s): between two of them the service leaves out frames that the
+  /// page has not read before the next.
+  repeats(run: QuestionedRun, moments: readonly number[]): Promise<void> {
+    const stepAt = (seconds: number) => Math.round(seconds * stepsPerSecond)
+    const last = stepAt(run.seconds)
+    const hands: Stop[] = run.hands.map(({at, does}) => ({step: stepAt(at), input: does}))
+    const asked: Stop[] = moments.map(moment => ({step: stepAt(moment)})).filter(({step}) => step < last)
+    const stops = [...[...hands, ...asked].sort((a, b) => a.step - b.step), {step: last}]
+    return this.#set({stops, run: null, isDone: false, hasEnded: false})
+  }
+
+  /// Waits for the end of the run; answers whether the program ended by itself before. A busy machine makes ten single steps a second, and a run has
+  /// up to 1,500: each step is waited for.
+  async isOver(): Promise<boolean> {
+    for (let now = await this.#now(); !now.isDone; now = await this.#now()) {
+      const before = now.step
+      await expect
+        .poll(
+          async () => {
+            const {isDone, step} = await this.#now()
+            return isDone || step !== before
+          },
+          {intervals: [200]},
+        )
+        .toBe(true)
+    }
+    return (await this.#now()).hasEnded
+  }
+
+  /// The next question is about exactly these times. The page sends those of the frame that it shows.
+  asksAbout(times: QuestionTimes): Promise<void> {
+    return this.#set({times, offset: 0})
+  }
+
+  async offset(): Promise<number> {
+    return (await this.#now()).offset
+  }
+
+  #now(): Promise<RunControl> {
+    return this.#page.evaluate(() => (window as ControlledWindow).rosyControl!)
+  }
+
+  #set(changes: Partial<RunControl>): Promise<void> {
+    return this.#page.evaluate(given => {
+      Object.assign((window as ControlledWindow).rosyControl!, given)
+    }, changes)
   }
 }

@@ -5,7 +5,7 @@
 /// are not delayed: passed on one by one, the frames of a run are more than a slow page can take. All of it holds for the browser contexts that a story opens by itself as well.
 ///
 /// Without a GPU each frame is composed by the processor. At 60 frames per second this takes more than the page, the service
-/// and the programs together, and no story depends on the rate. The first frame after a pause comes at once.
+/// and the programs together, and no story depends on the rate. The first frame after a pause comes at once, and so do the two that a story waits for (`drawn`).
 
 import {type Browser, type BrowserContext, test as base, expect, type Page} from "@playwright/test"
 import {takeViolations, watchOrigins} from "./own_origin.ts"
@@ -17,32 +17,52 @@ async function limitFrameRate(context: BrowserContext): Promise<void> {
   await context.addInitScript(milliseconds => {
     const request = window.requestAnimationFrame.bind(window)
     const cancel = window.cancelAnimationFrame.bind(window)
-    const waiting = new Map<number, () => void>()
+    interface Waiting {
+      readonly cancel: () => void
+      readonly hurry?: () => void
+    }
+    const waiting = new Map<number, Waiting>()
     let last = Number.NEGATIVE_INFINITY
+    let lastFrame = Number.NEGATIVE_INFINITY
+    /// Frames that still come without a pause: a story waits for them.
+    let withoutPause = 0
     let count = 0
     window.requestAnimationFrame = callback => {
       const id = ++count
       const onFrame = (time: number): void => {
         waiting.delete(id)
+        if (time > lastFrame) withoutPause = Math.max(0, withoutPause - 1)
+        lastFrame = time
         last = performance.now()
         callback(time)
       }
       const requestFrame = (): void => {
         const frame = request(onFrame)
-        waiting.set(id, () => cancel(frame))
+        waiting.set(id, {cancel: () => cancel(frame)})
       }
       const pause = last + milliseconds - performance.now()
-      if (pause <= 0) requestFrame()
+      if (withoutPause > 0 || pause <= 0) requestFrame()
       else {
         const timer = setTimeout(requestFrame, pause)
-        waiting.set(id, () => clearTimeout(timer))
+        const cancelTimer = () => clearTimeout(timer)
+        waiting.set(id, {
+          cancel: cancelTimer,
+          hurry: () => {
+            cancelTimer()
+            requestFrame()
+          },
+        })
       }
       return id
     }
     window.cancelAnimationFrame = id => {
-      waiting.get(id)?.()
+      waiting.get(id)?.cancel()
       waiting.delete(id)
     }
+    window.addEventListener("story-looks", () => {
+      withoutPause = 2
+      for (const {hurry} of [...waiting.values()]) hurry?.()
+    })
   }, interval)
 }
 

@@ -63,13 +63,12 @@ test("the questions about the examples have their answers in text, blocks, lines
       await expect(learner.runButton()).toHaveText("Run")
     }
     await expect(diagram(page).locator(".node").first()).toBeVisible()
-    controlled.repeats(
+    await controlled.repeats(
       run,
       run.questions.map(({text}) => formOf(text).at),
     )
     await learner.runs()
-    await controlled.isOver()
-    if (controlled.hasEnded) await expect(learner.runButton()).toHaveText("Run")
+    if (await controlled.isOver()) await expect(learner.runButton()).toHaveText("Run")
     else {
       // The program stands still already; now the page knows.
       await page.getByRole("button", {name: "Pause", exact: true}).click()
@@ -202,13 +201,14 @@ class Asker {
   async asks({text, answer}: AskedQuestion, defined: DefinedNames): Promise<void> {
     const {at, times, ask} = formOf(text)
     const beyond = await this.#looksAt(at)
-    this.#controlled.asksAbout(times)
+    await this.#controlled.asksAbout(times)
     await ask(this)
     await expect(this.#sentences()).toHaveText(answer.map(plain))
     // Blocks, text and diagram are drawn after the sentences.
     await expect(() => this.#seesPath(answer, defined)).toPass({timeout: 180_000})
     // A line of the console asks about its own time.
-    if (!/^What happened|`Say`/.test(text)) expect(this.#controlled.offset).toBeLessThan(0.03 + beyond)
+    if (!/^What happened|`Say`/.test(text))
+      expect(await this.#controlled.offset()).toBeLessThan(0.03 + beyond)
     await why(this.#page).getByRole("button", {name: "Close the answer"}).click()
     await expect(this.#page.locator(".rosyWhy, .hs-why, svg.diagram .node.why, .why-marks i")).toHaveCount(0)
   }

@@ -1,4 +1,4 @@
-import {expect, test} from "vitest"
+import {expect, test, vi} from "vitest"
 import {flyoutBlock, toolboxInfo} from "../../src/views/blocks/interaction/toolbox.ts"
 import {search, searchEntries, searchNear} from "../../src/views/blocks/interaction/toolbox_search.ts"
 import {small} from "./small_language.ts"
@@ -74,6 +74,15 @@ test("search comes first and the names in scope last", () => {
   const names = (toolboxInfo(small, "reactions").contents as unknown as {name: string}[]).map(c => c.name)
   expect(names[0]).toBe("Search blocks")
   expect(names.at(-1)).toBe("Names in scope")
+})
+
+test("what the search looks through is computed once, when it is first used", () => {
+  const libraryItems = vi.fn(() => small.libraryItems())
+  const [first] = toolboxInfo({...small, libraryItems}, "reactions").contents
+  expect(libraryItems).not.toHaveBeenCalled()
+  const {entries} = first as unknown as {entries: () => readonly unknown[]}
+  expect(entries()).toBe(entries())
+  expect(libraryItems).toHaveBeenCalledOnce()
 })
 
 test.each([

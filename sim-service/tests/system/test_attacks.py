@@ -51,8 +51,11 @@ PREPARING = 10.0
 ALL = 4 * HANG
 """How long a program waits to be compiled, s: one whose work takes long comes after all others."""
 
-COMPILING = 2
-"""Limit of a check and of a compilation, s of processor time: compile bombs reach it in each column."""
+COMPILING = 1
+"""
+Limit of a check and of a compilation, s of processor time: some thirty compile bombs use it up in each column, and no
+other program comes near.
+"""
 
 LOOK = 0.05
 """Between two looks at all processes, s: each costs milliseconds of processor time."""

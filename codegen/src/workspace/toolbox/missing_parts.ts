@@ -1,7 +1,7 @@
 /// Blocks that a robot can do nothing with: they name a sensor or a command that it lacks, or call a ready-made task
 /// that does.
 
-import type {ToolboxCategory} from "../../api.ts"
+import type {ToolboxCategory, ToolboxItem} from "../../api.ts"
 import type {SavedBlock} from "../../serialized_blocks.ts"
 import {generated} from "./library_definitions.generated.ts"
 
@@ -20,7 +20,15 @@ export function withoutMissingParts(
     .filter(category => category.items.length > 0)
 }
 
-/// Whether a robot that lacks these names can do something with a block.
+/// The items without those that need a part which the robot lacks.
+export function usableItems(items: readonly ToolboxItem[], lacks: readonly string[]): readonly ToolboxItem[] {
+  if (lacks.length === 0) return items
+  const usable = usableWith(lacks)
+  return items.filter(({block}) => usable(block))
+}
+
+/// Whether a robot that lacks these names can do something with a block. It reads all definitions of the library: for
+/// many blocks it is called once.
 export function usableWith(lacks: readonly string[]): (block: SavedBlock) => boolean {
   const missing = new Set(lacks)
   const isUsable = (block: SavedBlock) => !namesIn(block).some(name => missing.has(name))

@@ -7,7 +7,7 @@ import {
   type Inference,
   type Level,
   type SavedBlock,
-  usableWith,
+  usableItems,
   withoutMissingParts,
 } from "@rosy/codegen"
 import * as Blockly from "blockly/core"
@@ -146,7 +146,7 @@ function toolboxChoice(options: BlocksOptions, changed: () => void) {
           : toolboxOf(options.language.toolbox("haskell"), allowed),
         lacks,
       ),
-    libraryItems: () => options.language.libraryItems().filter(({block}) => usableWith(lacks)(block)),
+    libraryItems: () => usableItems(options.language.libraryItems(), lacks),
   }
   return {
     language,

@@ -28,7 +28,8 @@ interface CategoryInfo {
   readonly kind: string
   readonly name: string
   readonly family?: Family
-  readonly items?: readonly SearchEntry[]
+  /// What the search looks through; computed when it is first used.
+  readonly entries?: () => readonly SearchEntry[]
   readonly contents?: ItemInfo[]
   readonly custom?: string
   readonly toolboxitemid?: string
@@ -58,8 +59,9 @@ function withoutIds(block: ToolboxItem["block"]): ToolboxItem["block"] {
 /// What Blockly shows beside the workspace.
 export function toolboxInfo(language: Language, level: Level): Blockly.utils.toolbox.ToolboxInfo {
   const categories = language.toolbox(level)
-  const items = searchEntries(searchable(language, level), language.blockTypes)
-  const search: CategoryInfo = {kind: searchKind, name: words.blocks.search, items, contents: []}
+  let known: readonly SearchEntry[] | undefined
+  const entries = () => (known ??= searchEntries(searchable(language, level), language.blockTypes))
+  const search: CategoryInfo = {kind: searchKind, name: words.blocks.search, entries, contents: []}
   const shown = categories.map(
     (category): CategoryInfo => ({
       kind: categoryKind,
@@ -269,11 +271,11 @@ class Search extends Blockly.ToolboxCategory {
     readonly near: readonly ToolboxItem[]
     readonly fitsHere: boolean
   } {
-    const items = (this.toolboxItemDef_ as unknown as CategoryInfo).items ?? []
     const here = nearby.get(this.workspace_)
     const suggested = query === "" ? here?.suggestions() : undefined
     const names = here?.names() ?? []
-    const entries = [...searchEntries(names, [], true), ...items]
+    const known = (this.toolboxItemDef_ as unknown as CategoryInfo).entries?.() ?? []
+    const entries = [...searchEntries(names, [], true), ...known]
     const found =
       suggested ??
       bestFirst(
