@@ -23,6 +23,8 @@ let closed: number
 let looked: (readonly [x: number, y: number])[]
 let reaches: number[]
 let placed: Pose[]
+let companions: readonly Pose[]
+let moved: (readonly [companion: number, pose: Pose])[]
 let able: boolean
 
 beforeEach(() => {
@@ -33,12 +35,16 @@ beforeEach(() => {
   looked = []
   reaches = []
   placed = []
+  companions = []
+  moved = []
   able = false
   const ignore = () => undefined
   const host: GestureHost = {
     camera: () => camera,
     robot: () => ({x: 1, y: 1, theta: 0}),
     things: () => [],
+    companions: () => companions,
+    companionPlaced: (companion, pose) => moved.push([companion, pose]),
     held: () => held,
     able: () => able,
     placed: pose => placed.push(pose),

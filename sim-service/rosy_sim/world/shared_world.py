@@ -41,8 +41,7 @@ class SharedWorld(World):
         super().__init__(arena, robot, seed, obstacles)
         obstacles.share(1)
         obstacles.place(self.x, self.y)
-        # The worlds of the other robots: owners may sense and command them, but this one lets their time pass.
-        self.others: list[World] = []
+        # Their owners may sense and command them, but this one lets their time pass.
         for number, start in enumerate(starts, 1):
             around = Obstacles(robot.body, obstacles)
             around.share(number + 1)

@@ -103,6 +103,8 @@ class World:
         self._left_pose = (0.0, 0.0, 0.0)
         # The speeds of the robot in the step in progress, if nothing blocks it, m/s and rad/s.
         self.wanted = (0.0, 0.0)
+        # The worlds of the other robots in the room; only a ``SharedWorld`` has any.
+        self.others: list[World] = []
         self._realism = Realism() if realism is None else realism
         self._latency = CommandLatency(realism.latency) if realism is not None and realism.latency else None
         if obstacles is None:

@@ -6,6 +6,7 @@ import {measuresOf} from "../number_formats.ts"
 import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
+import {companions} from "./companions.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
 import {graph} from "./graph.ts"
@@ -31,6 +32,7 @@ export const german: Table = {
     blocks,
     classroom,
     world,
+    companions,
     diagram,
     film,
     graph,

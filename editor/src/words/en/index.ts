@@ -3,6 +3,7 @@
 import {backpack} from "./backpack.ts"
 import {blocks} from "./blocks.ts"
 import {classroom} from "./classroom.ts"
+import {companions} from "./companions.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
 import {graph} from "./graph.ts"
@@ -25,6 +26,7 @@ export const en = {
   blocks,
   world,
   classroom,
+  companions,
   diagram,
   film,
   graph,

@@ -12,6 +12,7 @@ export const page: Omit<
   | "classroom"
   | "world"
   | "recordings"
+  | "companions"
   | "diagram"
   | "film"
   | "graph"
