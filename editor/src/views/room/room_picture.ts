@@ -13,7 +13,7 @@ import {
 import {robotRadius, type World} from "../../worlds/world.ts"
 import {type Layer, openLayer} from "./cached_layer.ts"
 import {toScreen, Viewport} from "./camera.ts"
-import {CompanionMotions, drawCompanions} from "./companion_drawing.ts"
+import {CompanionMotions, drawCompanions} from "./robots/companion_drawing.ts"
 import {handleOf} from "./gestures.ts"
 
 import type {Overlay} from "./overlay.ts"

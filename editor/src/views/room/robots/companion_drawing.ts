@@ -1,9 +1,9 @@
 /// Drawing of the other robots in a room: each in its colour and with its number, which tells them apart without colours.
 
-import {robotRadius, type World} from "../../worlds/world.ts"
-import type {Palette} from "./palette.ts"
-import {type Pose, RobotMotion} from "./poses.ts"
-import {drawRobot} from "./robot_drawing.ts"
+import {robotRadius, type World} from "../../../worlds/world.ts"
+import type {Palette} from "../palette.ts"
+import {type Pose, RobotMotion} from "../poses.ts"
+import {drawRobot} from "../robot_drawing.ts"
 
 type Places = readonly Pose[]
 
