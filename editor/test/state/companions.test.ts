@@ -1,12 +1,12 @@
 /// Several robots in one room: where they start, what the service is asked for, and what the console says of them.
 
 import {describe, expect, it} from "vitest"
+import {lacksPreview, mayPreview} from "../../src/reducers/preview_requests.ts"
 import {readServiceMessage} from "../../src/state/messages/message_decoder.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
 import {type Companion, freePlace, isFreePlace} from "../../src/state/runs/companions.ts"
-import {lacksPreview, mayPreview} from "../../src/reducers/preview_requests.ts"
-import type {World} from "../../src/worlds/world.ts"
 import {CompanionMotions} from "../../src/views/room/robots/companion_drawing.ts"
+import type {World} from "../../src/worlds/world.ts"
 import {emptyRoom} from "../worlds/worlds.ts"
 import {document, ended, frame, hear, play, press, running, text} from "./event_player.ts"
 
@@ -90,7 +90,14 @@ describe("a run with other robots", () => {
 
   it("keeps where they were, in each frame that does not tell it anew", () => {
     const others = [[1, 2, 0]] as const
-    const {state} = play(open, chosen(companion), press, running(1), frame(1, {others}), frame(1, {time: 0.04}))
+    const {state} = play(
+      open,
+      chosen(companion),
+      press,
+      running(1),
+      frame(1, {others}),
+      frame(1, {time: 0.04}),
+    )
     expect(state.room.frame?.others).toEqual(others)
     expect(state.room.recording.length).toBe(2)
   })

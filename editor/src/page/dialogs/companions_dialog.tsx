@@ -47,7 +47,7 @@ function Companions(): VNode | null {
     <>
       <p role="status">{refusal}</p>
       {companions.length === 0 && <p class="quiet">{w.none}</p>}
-      <ul class="companions">
+      <ul class="companion-list">
         {companions.map((companion, i) => (
           <CompanionFields
             key={i}

@@ -13,9 +13,7 @@ import {
 import {robotRadius, type World} from "../../worlds/world.ts"
 import {type Layer, openLayer} from "./cached_layer.ts"
 import {toScreen, Viewport} from "./camera.ts"
-import {CompanionMotions, drawCompanions} from "./robots/companion_drawing.ts"
 import {handleOf} from "./gestures.ts"
-
 import type {Overlay} from "./overlay.ts"
 import {drawOverlay, drawRunNames} from "./overlay_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
@@ -23,6 +21,7 @@ import {type MovableObject, movableObjectsOf, type Pose, RobotMotion} from "./po
 import {drawPreview} from "./preview_drawing.ts"
 import {type QuestionTarget, type Spot, targetAt} from "./question_targets.ts"
 import {drawBeams, drawBubble, drawGhost, drawRobot} from "./robot_drawing.ts"
+import {CompanionMotions, drawCompanions} from "./robots/companion_drawing.ts"
 import {type InkView, openInk, openPath, type PathView} from "./trail_drawing.ts"
 import {trailUntil} from "./trail_segments.ts"
 import {drawObjects, drawWorld} from "./world_drawing.ts"

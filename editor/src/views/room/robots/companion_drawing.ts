@@ -58,6 +58,8 @@ export function drawCompanions(
     ctx.strokeStyle = colour
     ctx.lineWidth = 2 / scale
     ctx.stroke()
+    // Behind the mark that says which way it looks.
+    ctx.translate(-radius / 4, 0)
     ctx.rotate(-theta)
     ctx.scale(1, -1)
     ctx.font = `700 ${radius}px ${palette.font}`
