@@ -128,6 +128,24 @@ describe("a click in the room", () => {
   })
 })
 
+describe("another robot before a run", () => {
+  it("is dragged to another place, and the wheel turns it meanwhile", () => {
+    companions = [
+      {x: 3, y: 1, theta: 0},
+      {x: 3, y: 2, theta: 0},
+    ]
+    pointer("pointerdown", 305, 200)
+    pointer("pointermove", 405, 200)
+    expect(moved).toHaveLength(1)
+    expect(moved[0]?.[0]).toBe(1)
+    expect(moved[0]?.[1].x).toBeCloseTo(4)
+    expect(moved[0]?.[1].y).toBeCloseTo(2)
+    pointer("wheel", 405, 200, {deltaY: 1})
+    expect(moved[1]?.[1].theta).toBeCloseTo(Math.PI / 12)
+    expect(placed).toEqual([])
+  })
+})
+
 describe("a tap on the room", () => {
   const finger = {pointerType: "touch"}
 
