@@ -47,6 +47,7 @@ _MODULES = (
     "world.motor_controller",
     "world.obstacles",
     "world.realism",
+    "world.shared_world",
     "world.world",
 )
 """Without the name of the package. A module whose classes a library looks into (msgspec) or a test replaces cannot be

@@ -8,6 +8,7 @@ import {RobotBar, RobotsDialog} from "../page/bars/robots.tsx"
 import {BottomBar, TopBar} from "../page/bars/toolbars.tsx"
 import {WelcomeBar} from "../page/bars/welcome_bar.tsx"
 import {BackpackDialog} from "../page/dialogs/backpack_dialog.tsx"
+import {CompanionsDialog} from "../page/dialogs/companions_dialog.tsx"
 import {GalleryDialog} from "../page/dialogs/galleries.tsx"
 import {MyProgramsDialog} from "../page/dialogs/my_programs.tsx"
 import {ShareDialog} from "../page/dialogs/share_dialog.tsx"
@@ -81,6 +82,7 @@ export function App(): VNode {
       <ChallengesDialog />
       <MyProgramsDialog />
       <BackpackDialog />
+      <CompanionsDialog />
       <WorldEditorDialog />
       <RobotsDialog />
       <KeysDialog />

@@ -20,6 +20,8 @@ import {nodeOf} from "../state/runs/run_tree.ts"
 import {type Effect, still, type Transition, unreachable} from "../state/transition.ts"
 import {refusedSockets} from "../state/visible_findings.ts"
 import type {Request} from "../wire/page/page.generated.ts"
+import {words} from "../words/index.ts"
+import {worded} from "../words/worker_sentences.ts"
 import {check, withoutMisreading} from "./document_reducer.ts"
 import {beginReplay, endReplay} from "./recording_reducer.ts"
 import {explain, withLessons} from "./request_reducer.ts"
@@ -59,6 +61,8 @@ function pictureOf(message: ServiceMessage): number | null {
       return message.frame.run
     case "goals":
     case "said":
+    case "companion-said":
+    case "companion-ended":
     case "sound":
     case "blocked":
     case "diverged":
@@ -111,6 +115,11 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
       const lines = addLine(state.lines, "said", message.text, message.time)
       return still({...state, room: addSpeech(state.room, message.text, message.time), lines})
     }
+    case "companion-said":
+    case "companion-ended": {
+      if (!isShown(state.room, message.run)) return still(state)
+      return still({...state, lines: addLine(state.lines, "companion", companionLine(message), message.time)})
+    }
     case "sound": {
       const name = soundNames[message.sound]
       if (!isShown(state.room, message.run) || name === undefined) return still(state)
@@ -143,6 +152,16 @@ function reduceMessage(state: PageState, message: ServiceMessage): Transition {
     default:
       return unreachable(message)
   }
+}
+
+/// The first robot of the room is that of the run.
+function companionLine(message: Message<"companion-said" | "companion-ended">): string {
+  const number = message.robot + 1
+  if (message.op === "companion-said") return words.companions.said(number, message.text)
+  const {problem} = message
+  return problem === null
+    ? words.companions.ended(number)
+    : words.companions.failed(number, worded(problem.sentences?.message ?? null, problem.message))
 }
 
 /// Sends a new session of the service the room, the settings, the lesson, the program, and a run that waits for it.

@@ -13,7 +13,16 @@ export function computesPreviews({run, clock, link, robots, worldEditor}: PageSt
 
 /// Whether the page shows previews of the edited program now.
 export function mayPreview(state: PageState): boolean {
-  return state.previewing && computesPreviews(state) && state.room.preview.ran !== null
+  return hasPreview(state) && state.companions.length === 0
+}
+
+const hasPreview = (state: PageState): boolean =>
+  state.previewing && computesPreviews(state) && state.room.preview.ran !== null
+
+/// Whether there is no preview of the edited program because other robots are in the room: a preview has the first alone.
+export function lacksPreview(state: PageState): boolean {
+  const {text} = state.document.program
+  return state.companions.length > 0 && hasPreview(state) && text !== state.room.preview.ran && text !== ""
 }
 
 /// Asks for a preview when the program is another one than at the last question, and forgets the preview when none may be shown. When the page begins to

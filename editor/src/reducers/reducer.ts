@@ -71,6 +71,8 @@ function next(state: PageState, event: PageEvent): Transition {
     case "world-taken":
     case "test-room-opened":
     case "own-room-restored":
+    case "companions-chosen":
+    case "companion-placed":
     case "world-editor-opened":
     case "world-edited":
     case "world-file-wanted":

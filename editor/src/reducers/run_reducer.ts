@@ -6,6 +6,7 @@ import {reduceWhy} from "../state/messages/why_state.ts"
 import type {RunEvent} from "../state/page_events.ts"
 import type {PageState} from "../state/page_state.ts"
 import {isDriving} from "../state/robot_ownership.ts"
+import {companionsOf} from "../state/runs/companions.ts"
 import {emptyLog} from "../state/runs/firing_log.ts"
 import {clearRoom, roomUntil, shownFrame} from "../state/runs/room_state.ts"
 import {isActive, nextRun} from "../state/runs/run_state.ts"
@@ -193,6 +194,12 @@ function continueRun(state: PageState): Transition {
 export function runMessage(state: PageState, run: number) {
   const {seed} = state
   const twin = twinOf(state.runTree, run)
-  const more = {...(seed === null ? {} : {seed}), ...(twin === undefined ? {} : {twin: twin.run})}
-  return {op: "run", run, source: state.document.program.text, ...more, speed: state.speed} as const
+  const {text} = state.document.program
+  const companions = state.robots.held === null ? companionsOf(state.companions, text) : []
+  const more = {
+    ...(seed === null ? {} : {seed}),
+    ...(twin === undefined ? {} : {twin: twin.run}),
+    ...(companions.length === 0 ? {} : {companions}),
+  }
+  return {op: "run", run, source: text, ...more, speed: state.speed} as const
 }

@@ -4,6 +4,7 @@ import {withoutMark} from "@rosy/codegen/text-file"
 import {noFixPreviews} from "../state/messages/fix_previews.ts"
 import type {WorldEvent} from "../state/page_events.ts"
 import {isTestRoomShown, type PageState} from "../state/page_state.ts"
+import {inOtherRoom, isFreePlace} from "../state/runs/companions.ts"
 import {clearRoom} from "../state/runs/room_state.ts"
 import {nextRun} from "../state/runs/run_state.ts"
 import {noRuns} from "../state/runs/run_tree.ts"
@@ -17,6 +18,7 @@ import {isLarge, type World} from "../worlds/world.ts"
 import {readWorld} from "../worlds/world_decoder.ts"
 import {worldText, writeWorld} from "../worlds/world_encoder.ts"
 import type {Fault} from "../worlds/world_fields.ts"
+import {reduceRunEvent} from "./run_reducer.ts"
 
 /// Applies a choice of the room, or an edit of it.
 export function reduceWorldEvent(state: PageState, event: WorldEvent): Transition {
@@ -36,6 +38,21 @@ export function reduceWorldEvent(state: PageState, event: WorldEvent): Transitio
     }
     case "own-room-restored":
       return restoreOwnRoom(state)
+    case "companions-chosen": {
+      const {companions} = event
+      if (state.room.run === null) return still({...state, companions})
+      const {state: reset, effects} = reduceRunEvent(state, {kind: "reset-pressed"})
+      return {state: {...reset, companions}, effects}
+    }
+    case "companion-placed": {
+      const {world, run} = state.room
+      const others = state.companions.filter((_, i) => i !== event.companion)
+      if (world === null || run !== null || !isFreePlace(world, event.place, others)) return still(state)
+      const companions = state.companions.map((one, i) =>
+        i === event.companion ? {...one, ...event.place} : one,
+      )
+      return still({...state, companions})
+    }
     case "world-editor-opened": {
       const {world} = state.room
       // A real robot has no room that could be changed.
@@ -110,7 +127,8 @@ export function inWorld(state: PageState, world: World): PageState {
   const known = state.room.world
   const same = known !== null && known.name === world.name && `${known.size}` === `${world.size}`
   const follows = same ? state.follows : isLarge(world)
-  return {...state, follows, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
+  const companions = inOtherRoom(world, state.companions)
+  return {...state, follows, companions, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
 }
 
 /// Makes a world the room, and saves it with the program.

@@ -6,7 +6,7 @@ import type {ChangeOrigin, Document, History} from "../program/history.ts"
 import type {BlockId} from "../program/program.ts"
 import type {ChangeDesc} from "../program/text_changes.ts"
 import type {WorldEdit} from "../worlds/editor_value.ts"
-import type {World, WorldFile} from "../worlds/world.ts"
+import type {Pose, World, WorldFile} from "../worlds/world.ts"
 import type {Arrangement, Region, View} from "./arrangement.ts"
 import type {LessonEvent} from "./lesson_state.ts"
 import type {OfferedFixes} from "./messages/fix_previews.ts"
@@ -25,6 +25,7 @@ import type {
   Tab,
   Theme,
 } from "./page_state.ts"
+import type {Companion} from "./runs/companions.ts"
 import type {TrailStyle} from "./runs/room_state.ts"
 
 export type RunTreeEvent =
@@ -144,6 +145,10 @@ export type WorldEvent =
   /// A room of a test takes the place of the learner's own, and the learner's own comes back.
   | {readonly kind: "test-room-opened"; readonly world: World}
   | {readonly kind: "own-room-restored"}
+  /// The room has these robots besides the first one. Ends a run, as another room does.
+  | {readonly kind: "companions-chosen"; readonly companions: readonly Companion[]}
+  /// A hand puts one of them in another place before a run; nothing happens where it has no room.
+  | {readonly kind: "companion-placed"; readonly companion: number; readonly place: Pose}
   | {readonly kind: "world-editor-opened"}
   | {readonly kind: "world-edited"; readonly edit: WorldEdit}
   /// The edited room becomes the room of the page, or is discarded.

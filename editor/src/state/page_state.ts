@@ -22,6 +22,7 @@ import type {OfferedFixes} from "./messages/fix_previews.ts"
 import type {RecordedFile, Speed, WorkerState} from "./messages/messages.ts"
 import {noQuestion, type WhyState} from "./messages/why_state.ts"
 import {noRobots, type RobotsState, type SafetyRules} from "./robots.ts"
+import type {Companion} from "./runs/companions.ts"
 import {type ConsoleLine, emptyRoom, type RoomState, type TrailStyle} from "./runs/room_state.ts"
 import type {RunState} from "./runs/run_state.ts"
 import {noRuns, type RunTree} from "./runs/run_tree.ts"
@@ -213,6 +214,8 @@ export interface PageState {
     readonly places: NodePlaces
   }
   readonly room: RoomState
+  /// The other robots that start in the room with the next run.
+  readonly companions: readonly Companion[]
   /// The runs in this room.
   readonly runTree: RunTree
   readonly robots: RobotsState
@@ -252,6 +255,7 @@ export interface PageState {
     | "programs"
     | "backpack"
     | "rooms"
+    | "companions"
     | "menu"
     | "sight"
     | "robots"
@@ -335,6 +339,7 @@ export const initialState: PageState = {
   topics: [],
   diagram: {outcome: "waiting", drawings: 0, chosen: null, isPointedAt: false, places: {}},
   room: emptyRoom,
+  companions: [],
   runTree: noRuns,
   robots: noRobots,
   recorded: null,

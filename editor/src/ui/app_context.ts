@@ -24,6 +24,8 @@ export interface MyPrograms {
   deleted(): readonly StoredProgram[]
   picture(id: string): readonly Outline[]
   isOpen(id: string): boolean
+  /// The Haskell of a program as it is stored; `null` if there is none.
+  haskell(id: string): string | null
   open(id: string): void
   rename(id: string, name: string): void
   duplicate(id: string): void

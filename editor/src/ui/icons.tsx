@@ -193,6 +193,12 @@ export const RoomIcon = () => (
     <path d="M8 8h4" {...line} />
   </Picture>
 )
+export const RobotsIcon = () => (
+  <Picture>
+    <circle cx="5.4" cy="9.6" r="3.6" {...line} />
+    <path d="M5.4 9.6h2M9.2 3.4a3.6 3.6 0 1 1 2.2 6.6M10.9 6.6h2" {...line} />
+  </Picture>
+)
 export const LogoIcon = () => (
   <svg viewBox="0 0 26 26" width="26" height="26" aria-hidden="true">
     <circle cx="13" cy="13" r="11.5" fill="none" stroke="currentColor" stroke-width="3" />

@@ -23,6 +23,8 @@ let closed: number
 let looked: (readonly [x: number, y: number])[]
 let reaches: number[]
 let placed: Pose[]
+let companions: readonly Pose[]
+let moved: (readonly [companion: number, pose: Pose])[]
 let able: boolean
 
 beforeEach(() => {
@@ -33,12 +35,16 @@ beforeEach(() => {
   looked = []
   reaches = []
   placed = []
+  companions = []
+  moved = []
   able = false
   const ignore = () => undefined
   const host: GestureHost = {
     camera: () => camera,
     robot: () => ({x: 1, y: 1, theta: 0}),
     things: () => [],
+    companions: () => companions,
+    companionPlaced: (companion, pose) => moved.push([companion, pose]),
     held: () => held,
     able: () => able,
     placed: pose => placed.push(pose),
@@ -119,6 +125,24 @@ describe("a click in the room", () => {
     pointer("pointercancel", 100, 200)
     pointer("pointerup", 100, 200)
     expect(asked).toEqual([])
+  })
+})
+
+describe("another robot before a run", () => {
+  it("is dragged to another place, and the wheel turns it meanwhile", () => {
+    companions = [
+      {x: 3, y: 1, theta: 0},
+      {x: 3, y: 2, theta: 0},
+    ]
+    pointer("pointerdown", 305, 200)
+    pointer("pointermove", 405, 200)
+    expect(moved).toHaveLength(1)
+    expect(moved[0]?.[0]).toBe(1)
+    expect(moved[0]?.[1].x).toBeCloseTo(4)
+    expect(moved[0]?.[1].y).toBeCloseTo(2)
+    pointer("wheel", 405, 200, {deltaY: 1})
+    expect(moved[1]?.[1].theta).toBeCloseTo(Math.PI / 12)
+    expect(placed).toEqual([])
   })
 })
 

@@ -13,6 +13,7 @@ export const page: Omit<
   | "classroom"
   | "world"
   | "recordings"
+  | "companions"
   | "diagram"
   | "film"
   | "graph"

@@ -4,6 +4,7 @@ import {backpack} from "./backpack.ts"
 import {blocks} from "./blocks.ts"
 import {challenges} from "./challenges.ts"
 import {classroom} from "./classroom.ts"
+import {companions} from "./companions.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
 import {graph} from "./graph.ts"
@@ -27,6 +28,7 @@ export const en = {
   world,
   challenges,
   classroom,
+  companions,
   diagram,
   film,
   graph,

@@ -7,6 +7,7 @@ import {backpack} from "./backpack.ts"
 import {blockly, blocks} from "./blocks.ts"
 import {challenges} from "./challenges.ts"
 import {classroom} from "./classroom.ts"
+import {companions} from "./companions.ts"
 import {diagram} from "./diagram.ts"
 import {film} from "./film.ts"
 import {graph} from "./graph.ts"
@@ -33,6 +34,7 @@ export const table: Table = {
     challenges,
     classroom,
     world,
+    companions,
     diagram,
     film,
     graph,

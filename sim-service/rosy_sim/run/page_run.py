@@ -77,6 +77,12 @@ class RunView(Protocol):
     def show_uncompared(self, time: float) -> None:
         """Show since when it is not known whether the program differs from the run that it repeats."""
 
+    def show_companion_said(self, robot: int, time: float, texts: list[str], sounds: list[int]) -> None:
+        """Show what another robot of the run said, from 1 on, and play its sounds."""
+
+    def show_companion_ended(self, robot: int, time: float, problem: Problem | None) -> None:
+        """Show that the program of another robot has ended before the run; why, if not by itself."""
+
     def show_goals(self, states: list[GoalState]) -> None:
         """Show the goals if they have changed visibly."""
 

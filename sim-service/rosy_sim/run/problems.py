@@ -16,6 +16,7 @@ __all__ = [
     "died",
     "lost_robot",
     "missing_parts",
+    "no_place_beside",
     "place_needed",
     "service_full",
     "stuck",
@@ -142,6 +143,15 @@ def place_needed() -> Problem:
         "place-needed",
         tr("This program was stopped, because another person needed a place to run."),
         tr("Programs that did nothing for a while are stopped first. Press Run to start it again."),
+    )
+
+
+def no_place_beside() -> Problem:
+    """All places for programs are taken, and a further robot of a run does not wait for one."""
+    return problem(
+        "no-place",
+        tr("All places for programs are taken at the moment, so this robot stands still."),
+        tr("Use fewer robots, or press Run again when fewer programs run."),
     )
 
 

@@ -18,6 +18,7 @@ from ..token_bucket import TokenBucket
 from ..wire.page import Speed
 from ..wire.robot_link import LimitExceeded, LinkError
 from ..world.time_step import STEP
+from .companions import MAX_OUTPUT_RATE, Companions
 from .lateness import Lateness
 from .step_phases import StepPhases
 from .steps.lockstep import Lockstep
@@ -35,9 +36,6 @@ _MAX_LAG = 0.25
 
 _DEADLINE_INTERVAL = 0.25
 """Between two checks of the deadline, s."""
-
-_MAX_OUTPUT_RATE = 20e6
-"""Bytes that a program may send in a second for long: forty times what the fastest of the examples sends."""
 
 _MAX_SINGLE_STEPS = 1000
 """Single steps that may be requested ahead of time."""
@@ -67,6 +65,7 @@ class RealTimeRunner:
         speed: Speed = 1.0,
         replayed: int = 0,
         clock: Callable[[], float] = time.monotonic,
+        companions: Companions | None = None,
     ) -> None:
         self._loop = asyncio.get_running_loop()
         # Of deadlines, s.
@@ -97,10 +96,16 @@ class RealTimeRunner:
         self._deadline_checked = clock()
         self._stopping = False
         self._over = False
-        self._allowance = TokenBucket(_MAX_OUTPUT_RATE, 2 * _MAX_OUTPUT_RATE, self._loop.time())
+        # The programs of the other robots in the room, which make the same steps; None without any.
+        self._companions = companions
+        # Whether a step has been sensed and is not integrated yet.
+        self._is_in_step = False
+        self._allowance = TokenBucket(MAX_OUTPUT_RATE, 2 * MAX_OUTPUT_RATE, self._loop.time())
         link.setblocking(False)
         self._loop.add_reader(link, self._read)
         self._deadline_timer: asyncio.TimerHandle = self._loop.call_later(_DEADLINE_INTERVAL, self._check_deadline)
+        if companions is not None:
+            companions.on_settled = self._on_companions_settled
         self._send(lockstep.begin())
 
     # Requests
@@ -167,8 +172,19 @@ class RealTimeRunner:
             self._phase = None
 
     def _continue(self) -> None:
-        if self._lockstep.state in ("ready", "settled") and not self._stopping:
+        if self._lockstep.state in ("ready", "settled") and not self._stopping and self._are_companions_settled():
             self._next()
+
+    def _are_companions_settled(self) -> bool:
+        return self._companions is None or self._companions.are_settled
+
+    def _on_companions_settled(self) -> None:
+        if self._over:
+            return
+        if self._lockstep.state == "settled" and self._is_in_step:
+            self._finish_step()
+        if not self._is_in_step and self._timer is None:
+            self._continue()
 
     def _next(self) -> None:
         """Make the next step, or schedule it."""
@@ -212,7 +228,12 @@ class RealTimeRunner:
         elif now - self._memory_read >= _MEMORY_INTERVAL:
             memory = "soon"
         batch = self._lockstep.sense(memory)
+        if self._companions is not None:
+            self._is_in_step = True
+            self._companions.sense()
         if not batch:
+            if not self._are_companions_settled():
+                return
             self._finish_step()
             # Not at once: other runs have their turn between two steps at full speed.
             self._timer = self._loop.call_soon(self._next)
@@ -223,8 +244,14 @@ class RealTimeRunner:
         self._send(batch)
 
     def _finish_step(self) -> None:
-        """A step has settled."""
-        self._lockstep.integrate()
+        """A step has settled, for all programs."""
+        lockstep, companions = self._lockstep, self._companions
+        if companions is not None:
+            self._is_in_step = False
+            companions.settle(lockstep.step >= self._replayed)
+        lockstep.integrate()
+        if companions is not None:
+            companions.advance()
         self._listener.on_step(self._lockstep)
 
     def _read(self) -> None:
@@ -238,7 +265,7 @@ class RealTimeRunner:
             self._end("died", "")
             return
         if not self._allowance.spend(len(data), self._loop.time()):
-            self._end("loud", f"more than {_MAX_OUTPUT_RATE:.0f} bytes a second")
+            self._end("loud", f"more than {MAX_OUTPUT_RATE:.0f} bytes a second")
             return
         before = self._lockstep.state
         try:
@@ -261,6 +288,8 @@ class RealTimeRunner:
         if state == "ready":
             self._start_clock()
         elif state == "settled":
+            if not self._are_companions_settled():
+                return
             self._finish_step()
         self._continue()
 
@@ -283,6 +312,11 @@ class RealTimeRunner:
         if self._deadline is not None and paused_for > _DEADLINE_INTERVAL:
             # This process was suspended, as when the machine sleeps: the answer may have arrived unread.
             self._deadline += paused_for
+        if self._companions is not None:
+            # As much as has passed, but not what passed while this process was suspended.
+            self._companions.check_deadline(min(_DEADLINE_INTERVAL + paused_for, 2 * _DEADLINE_INTERVAL))
+        if self._over:
+            return
         if self._deadline is not None and now > self._deadline:
             self._end("stopped" if self._stopping else "stuck", "")
             return

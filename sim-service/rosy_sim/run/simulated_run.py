@@ -16,6 +16,7 @@ from ..wire.topics import TopicMessage
 from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
 from ..world.events import velocity
+from .companions import Companions
 from .page_run import PageRun, RunView
 from .problems import broken_link, died, missing_parts, place_needed, too_much_output
 from .realtime_runner import Ending, RealTimeRunner
@@ -53,7 +54,13 @@ class SimulatedRun(PageRun):
         self._runner: RealTimeRunner | None = None
         self._lockstep: Lockstep | None = None
         self._on_finished = on_over
+        # The programs of the other robots in the room; None without any.
+        self._companions: Companions | None = None
         super().__init__(request, services, view, self._finish, prepared)
+        if simulation.companions:
+            # After this program, which has its place first.
+            others, seed = simulation.world.others, simulation.seed
+            self._companions = Companions(simulation.companions, others, seed, services, self._safety, view)
         if self._replay.steps == 0:
             view.show_frame(force=True)
 
@@ -152,6 +159,8 @@ class SimulatedRun(PageRun):
         self._safety = settings
         if self._lockstep is not None:
             self._lockstep.switch_safety(settings)
+        if self._companions is not None:
+            self._companions.switch_safety(settings)
 
     def observe(self, on: bool) -> None:
         """Whether the firings are told with their provenance, from the next step on."""
@@ -167,6 +176,8 @@ class SimulatedRun(PageRun):
 
     def _finish(self, run: PageRun) -> None:
         self._services.observed.runs.discard(self)
+        if self._companions is not None:
+            self._companions.stop()
         self._on_finished(run)
 
     # CompilationListener
@@ -194,6 +205,7 @@ class SimulatedRun(PageRun):
             self,
             self._speed,
             replayed,
+            companions=self._companions,
         )
         if self._display.paused:
             self._runner.pause()

@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..wire.firing import read_firings
+from ..wire.page import Companion
 from ..wire.topics import TopicMessage
 from ..world.events import Reading
 from ..world.time_step import STEPS_PER_SECOND
@@ -46,6 +47,8 @@ class Simulation:
     observes: bool = False
     # What is repeated of an earlier run before this one is live.
     replay: Replay = NO_REPLAY
+    # The programs of the other robots in the world.
+    companions: tuple[Companion, ...] = ()
 
 
 class StepDisplay:

@@ -91,20 +91,22 @@ class Obstacles:
 
     Args:
         body: of the robot.
+        room: those of a robot that is in this room already. Then the robots are obstacles to each other, and the things
+            of the room are the same.
     """
 
-    def __init__(self, body: Body) -> None:
+    def __init__(self, body: Body, room: Obstacles | None = None) -> None:
         self._radius = body.radius
         self._contact_gap = body.contact_gap
-        self._space = space = pymunk.Space()
-        space.iterations = 20
-        space.collision_slop = 2e-4
-        space.collision_bias = 1e-6
-        space.collision_persistence = 3
+        # Owns the space; None of the first robot.
+        self._room = room
+        self._space: pymunk.Space = _new_space() if room is None else room._space
         # The bodies of movable things, in the arena's order: boxes, then rounds.
-        self.movables: list[pymunk.Body] = []
-        self._movable_shapes: set[pymunk.Shape | None] = set()
-        self._friction_radii: list[float] = []
+        self.movables: list[pymunk.Body] = [] if room is None else room.movables
+        self._movable_shapes: set[pymunk.Shape | None] = set() if room is None else room._movable_shapes
+        self._friction_radii: list[float] = [] if room is None else room._friction_radii
+        # Whether other robots are in the room, which move by themselves.
+        self.is_shared = False
         # Whether a movable thing still slides; set by push().
         self.awake = False
         self._all_shapes = pymunk.ShapeFilter(mask=_STATIC | _MOVABLE)
@@ -118,6 +120,21 @@ class Obstacles:
         self._robot_shape.filter = pymunk.ShapeFilter(categories=_ROBOT, mask=_MOVABLE)
         self._robot_shape.elasticity = 0.0
         self._robot_shape.friction = 0.1
+        if room is not None:
+            self._space.add(self._robot, self._robot_shape)
+
+    def share(self, number: int) -> None:
+        """Other robots are in the room from now on; this one has a number of its own among them, from 1 on."""
+        self.is_shared = True
+        # Shapes and questions of one group ignore each other: a robot is no obstacle to itself.
+        self._robot_shape.filter = pymunk.ShapeFilter(number, _ROBOT, _MOVABLE)
+        self._all_shapes = pymunk.ShapeFilter(number, mask=_STATIC | _MOVABLE | _ROBOT)
+
+    def place(self, x: float, y: float) -> None:
+        """Where the robot is, for the other robots in the room."""
+        self._robot.position = (x, y)
+        self._robot.velocity = (0.0, 0.0)
+        self._space.reindex_shapes_for_body(self._robot)
 
     def add(self, arena: Arena) -> Iterator[None]:
         """Add what is in an arena, and the robot, in pieces of some 25 µs; once, and to the end."""
@@ -151,6 +168,8 @@ class Obstacles:
 
     def __del__(self) -> None:
         # Each shape and body of pymunk refers to itself by its handle, and would wait for a full garbage collection.
+        if self._room is not None:
+            return
         for shape in (*self._space.shapes, self._robot_shape):
             shape._h = None
         for body in (*self._space.bodies, self._space.static_body, self._robot):
@@ -281,7 +300,7 @@ class Obstacles:
 
     def free_position(self, x: float, y: float) -> tuple[float, float] | None:
         """The position nearest to a point where the robot touches but does not enter anything, if one is near."""
-        if self._movable_shapes:
+        if self._movable_shapes or self.is_shared:
             return self._searched_position(x, y)
         # A robot that pushes against a wall asks the same in each step.
         if (x, y) != self._asked_position:
@@ -314,23 +333,26 @@ class Obstacles:
                 deepest, nx, ny = depth, gradient.x, gradient.y
         return deepest, nx, ny
 
-    def push(self, x: float, y: float, theta: float, v: float, w: float, dt: float) -> tuple[float, float, float]:
-        """
-        Move the robot and all movable things for ``dt`` seconds.
-
-        Returns the robot's new x and y and the speed ahead that the things it pushes leave it.
-        """
+    def begin_push(self, x: float, y: float, theta: float, v: float, w: float, dt: float) -> None:
+        """The robot is at a pose and moves with these speeds for ``dt`` seconds, during the next ``push``."""
         robot = self._robot
         c, s = math.cos(theta + w * dt / 2), math.sin(theta + w * dt / 2)
         robot.position = (x, y)
         robot.angle = theta
         robot.velocity = (v * c, v * s)
         robot.angular_velocity = w
+
+    def push(self, dt: float) -> None:
+        """Move all robots and movable things of the room for ``dt`` seconds."""
         self._space.step(dt)
         self.awake = False
         for body, radius in zip(self.movables, self._friction_radii, strict=True):
             self._apply_friction(body, radius, dt)
-        position, velocity = robot.position, robot.velocity
+
+    def pushed(self, theta: float, w: float, dt: float) -> tuple[float, float, float]:
+        """The robot's new x and y after a push of ``dt`` s, and the speed ahead that the things it pushes leave it."""
+        c, s = math.cos(theta + w * dt / 2), math.sin(theta + w * dt / 2)
+        position, velocity = self._robot.position, self._robot.velocity
         return position.x, position.y, velocity.x * c + velocity.y * s
 
     def _apply_friction(self, body: pymunk.Body, radius: float, dt: float) -> None:
@@ -348,6 +370,15 @@ class Obstacles:
             body.angular_velocity = 0.0
         if speed - loss > _AT_REST or rim - loss > _AT_REST:
             self.awake = True
+
+
+def _new_space() -> pymunk.Space:
+    space = pymunk.Space()
+    space.iterations = 20
+    space.collision_slop = 2e-4
+    space.collision_bias = 1e-6
+    space.collision_persistence = 3
+    return space
 
 
 def _refuse_more_than(most: int, overlaps: int) -> None:

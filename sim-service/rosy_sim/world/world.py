@@ -33,9 +33,9 @@ from .realism import CommandLatency, GyroOdometry, Realism, WheelSlip
 from .robot import Robot, SensorBits, TimedDevice
 from .time_step import STEP
 
-__all__ = ["ActionRefused", "Odometry", "World", "held_after"]
+__all__ = ["SUBSTEPS", "ActionRefused", "Odometry", "Push", "World", "held_after"]
 
-_SUBSTEPS = 4
+SUBSTEPS = 4
 """Pieces of a step while boxes are being pushed."""
 
 _NEAR_BOXES = 0.03
@@ -98,6 +98,13 @@ class World:
         self._told_wheels = (0.0, 0.0)
         self._wheels = (0.0, 0.0)
         self._rolled = 0.0
+        # The same in the step in progress, if nothing blocks the robot, and its pose and wheels when that began.
+        self._next_told = self._next_wheels = self._last_wheels = (0.0, 0.0)
+        self._left_pose = (0.0, 0.0, 0.0)
+        # The speeds of the robot in the step in progress, if nothing blocks it, m/s and rad/s.
+        self.wanted = (0.0, 0.0)
+        # The worlds of the other robots in the room; only a ``SharedWorld`` has any.
+        self.others: list[World] = []
         self._realism = Realism() if realism is None else realism
         self._latency = CommandLatency(realism.latency) if realism is not None and realism.latency else None
         if obstacles is None:
@@ -346,7 +353,7 @@ class World:
                 if thing >= len(self.obstacles.movables):
                     raise ActionRefused(tr("There is no such thing to push in this room."))
                 self.obstacles.drag(thing, *pose, robot=(self.x, self.y))
-                self._update_clearance()
+                self.update_clearance()
 
     def _teleport(self, pose: Pose) -> None:
         x, y, theta = pose
@@ -364,12 +371,11 @@ class World:
         self._origin = _origin(self.x - (c * px - s * py), self.y - (s * px + c * py), otheta)
         self.v = self.w = 0.0
         self._told_wheels = self._wheels = (0.0, 0.0)
-        self._update_clearance()
+        self.update_clearance()
         self._update_floor_contact()
 
     def integrate(self, dt: float = STEP) -> None:
         """Let ``dt`` seconds pass. Long times are cut into steps."""
-        self._device_values = None
         while dt > STEP * (1 + 1e-9):
             dt -= STEP
             self._integrate_step(STEP)
@@ -377,6 +383,13 @@ class World:
 
     def _integrate_step(self, dt: float) -> None:
         """Let a step's time pass, or less."""
+        self.begin_step(dt)
+        self.move(dt)
+        self.end_step(dt)
+
+    def begin_step(self, dt: float) -> None:
+        """Decide how fast the robot goes in a step, if nothing blocks it."""
+        self._device_values = None
         self._steps += 1
         if self.actions.is_pursuing:
             wanted = self.actions.step(self)
@@ -386,50 +399,73 @@ class World:
             for command in self._latency.arrive(dt):
                 self._obey(command)
         if self._odometry_model is None:
-            self._integrate_at(*self._motors.next(dt, self.v, self.w), dt)
+            self.wanted = self._motors.next(dt, self.v, self.w)
         else:
-            theta = self.theta
+            self._turn_wheels(dt)
+        self.is_blocked = False
+
+    def end_step(self, dt: float) -> None:
+        """The robot has moved."""
+        if self._odometry_model is not None:
             self._roll_wheels(dt)
-            self._odometry_model.moved(self._rolled, self.theta - theta, self._wheels[0], self.w, dt)
+            turned = self.theta - self._left_pose[2]
+            self._odometry_model.moved(self._rolled, turned, self._wheels[0], self.w, dt)
         for device in self._timed_devices:
             device.integrate(self, dt)
 
+    def _turn_wheels(self, dt: float) -> None:
+        """The wheels of a robot that is less than ideal may move differently from the robot."""
+        self._left_pose = (self.x, self.y, self.theta)
+        self._last_wheels = self._wheels
+        self._next_told = self._motors.next(dt, *self._told_wheels)
+        self._next_wheels = wheels = self._realism.turned(*self._next_told)
+        self.wanted = self._slip.on_floor(*wheels, dt) if self._slip is not None else wheels
+
     def _roll_wheels(self, dt: float) -> None:
-        """A step in which the wheels may move differently from the robot."""
-        x, y, theta = self.x, self.y, self.theta
-        before = self._wheels
-        told = self._motors.next(dt, *self._told_wheels)
-        wheels = self._realism.turned(*told)
-        v, w = self._slip.on_floor(*wheels, dt) if self._slip is not None else wheels
-        self._integrate_at(v, w, dt)
+        """How far the wheels have rolled in a step."""
+        before, wheels = self._last_wheels, self._next_wheels
+        v, w = self.wanted
         if abs(self.v - v) < _SPEED_TOLERANCE and abs(self.w - w) < _SPEED_TOLERANCE:
-            self._told_wheels, self._wheels = told, wheels
+            self._told_wheels, self._wheels = self._next_told, wheels
             self._rolled = (before[0] + wheels[0]) / 2 * dt
             return
         # The robot is blocked, and its wheels with it.
+        x, y, theta = self._left_pose
         self._wheels = (self.v, self.w)
         self._told_wheels = self._realism.told(self.v, self.w)
         heading = (theta + self.theta) / 2
         self._rolled = (self.x - x) * math.cos(heading) + (self.y - y) * math.sin(heading)
 
-    def _integrate_at(self, v: float, w: float, dt: float) -> None:
-        """Move for ``dt`` s towards these speeds, as far as obstacles allow."""
-        self.is_blocked = False
-        if self._hanging or self._lifted:
+    @property
+    def is_held(self) -> bool:
+        """Whether the wheels move nothing, because a hand lifts the robot or it has tipped over a hole."""
+        return bool(self._hanging or self._lifted)
+
+    def move(self, dt: float) -> None:
+        """Move for ``dt`` s towards the wanted speeds, as far as obstacles allow."""
+        v, w = self.wanted
+        if self.is_held:
             self.v = self.w = 0.0
             if self.obstacles.awake:
-                self.obstacles.push(self.x, self.y, self.theta, 0.0, 0.0, dt)
+                self.obstacles.begin_push(self.x, self.y, self.theta, 0.0, 0.0, dt)
+                self.obstacles.push(dt)
             return
-        boxes = self.obstacles.awake or (self.obstacles.movables and self._is_near_boxes())
-        if boxes:
-            self._push(dt, v, w)
+        if self.may_push():
+            self._push(dt)
         elif v or w or self.v or self.w:
             self._roll(dt, v, w)
         else:
             return
-        self.is_blocked = abs(self.v - v) > _SPEED_TOLERANCE
+        self._after_move()
+
+    def _after_move(self) -> None:
+        self.is_blocked = abs(self.v - self.wanted[0]) > _SPEED_TOLERANCE
         if self._has_holes:
             self._update_floor_contact()
+
+    def may_push(self) -> bool:
+        """Whether movable things slide or are so near that the robot may push them in the next step."""
+        return self.obstacles.awake or (bool(self.obstacles.movables) and self._is_near_boxes())
 
     def _is_near_boxes(self) -> bool:
         return self._clearance.free_of_boxes - (self._clearance.free - self._clear_distance) < _NEAR_BOXES
@@ -462,37 +498,28 @@ class World:
             real = ((x - self.x) * math.cos(heading) + (y - self.y) * math.sin(heading)) / dt
             v = max(-abs(v), min(abs(v), real))
         self.x, self.y = x, y
-        self._update_clearance()
+        self.update_clearance()
         return v
 
-    def _push(self, dt: float, v: float, w: float) -> None:
+    def _push(self, dt: float) -> None:
         """Small steps among movable boxes: the solver shares the momentum, then walls limit the position."""
-        v0, w0 = self.v, self.w
-        left = 1.0
-        for i in range(1, _SUBSTEPS + 1):
-            part = dt / _SUBSTEPS
-            wanted = (v0 + (v - v0) * i / _SUBSTEPS) * left
-            turning = w0 + (w - w0) * i / _SUBSTEPS
-            x, y, real = self.obstacles.push(self.x, self.y, self.theta, wanted, turning, part)
-            free_position = self.obstacles.free_position(x, y)
-            if free_position is None:
-                free_position = (self.x, self.y)
-            c, s = math.cos(self.theta + turning * part / 2), math.sin(self.theta + turning * part / 2)
-            moved = ((free_position[0] - self.x) * c + (free_position[1] - self.y) * s) / part
-            if math.hypot(free_position[0] - x, free_position[1] - y) > 1e-9:
-                real = min(abs(real), abs(moved)) * math.copysign(1.0, moved)
-            real = max(-abs(wanted), min(abs(wanted), real))
-            if wanted:
-                left *= max(0.0, real / wanted)
-            self.x, self.y = free_position
-            self.theta += turning * part
-            self.v, self.w = real, turning
-        self._update_clearance()
+        push = Push(self, dt)
+        for piece in range(1, SUBSTEPS + 1):
+            push.begin(piece)
+            self.obstacles.push(push.part)
+            push.end()
+        self.update_clearance()
 
-    def _update_clearance(self) -> None:
+    def after_push(self) -> None:
+        """The robot has moved in the pieces of a ``Push``, together with others."""
+        if not self.is_held:
+            self._after_move()
+
+    def update_clearance(self) -> None:
+        """Look around the robot, unless nothing can have changed there."""
         position = (self.x, self.y)
         # A robot that a wall blocks stays in its place for many steps.
-        if position != self._clearance_position or self.obstacles.movables:
+        if position != self._clearance_position or self.obstacles.movables or self.obstacles.is_shared:
             self._clearance_position = position
             self._clearance = self.obstacles.clearance_at(*position)
         self._clear_distance = self._clearance.free
@@ -502,3 +529,49 @@ class World:
         self._hanging = self.robot.hanging_wheels(self.arena, self.x, self.y, self.theta) if self._has_holes else 0
         if self._hanging:
             self.v = self.w = 0.0
+
+
+class Push:
+    """
+    A step of a robot among things that can be pushed, in ``SUBSTEPS`` pieces.
+
+    Args:
+        dt: of the whole step, s.
+    """
+
+    def __init__(self, world: World, dt: float) -> None:
+        self._world = world
+        self._wanted = (0.0, 0.0) if world.is_held else world.wanted
+        self._first = (world.v, world.w)
+        # Seconds of a piece.
+        self.part = dt / SUBSTEPS
+        # How much of the wanted speed the things that are pushed have left so far.
+        self._left = 1.0
+        # Speeds of the current piece, m/s and rad/s.
+        self._ahead = self._turning = 0.0
+
+    def begin(self, piece: int) -> None:
+        """The robot moves in this piece, from 1 on."""
+        world, part = self._world, piece / SUBSTEPS
+        (v0, w0), (v, w) = self._first, self._wanted
+        self._ahead = (v0 + (v - v0) * part) * self._left
+        self._turning = w0 + (w - w0) * part
+        world.obstacles.begin_push(world.x, world.y, world.theta, self._ahead, self._turning, self.part)
+
+    def end(self) -> None:
+        """The piece has passed: walls limit where the robot is."""
+        world, part, wanted, turning = self._world, self.part, self._ahead, self._turning
+        x, y, real = world.obstacles.pushed(world.theta, turning, part)
+        free_position = world.obstacles.free_position(x, y)
+        if free_position is None:
+            free_position = (world.x, world.y)
+        c, s = math.cos(world.theta + turning * part / 2), math.sin(world.theta + turning * part / 2)
+        moved = ((free_position[0] - world.x) * c + (free_position[1] - world.y) * s) / part
+        if math.hypot(free_position[0] - x, free_position[1] - y) > 1e-9:
+            real = min(abs(real), abs(moved)) * math.copysign(1.0, moved)
+        real = max(-abs(wanted), min(abs(wanted), real))
+        if wanted:
+            self._left *= max(0.0, real / wanted)
+        world.x, world.y = free_position
+        world.theta += turning * part
+        world.v, world.w = real, turning

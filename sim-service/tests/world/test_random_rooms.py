@@ -233,7 +233,8 @@ def test_a_thing_that_hardly_moves_comes_to_rest(speed: float) -> None:
     world = pushed(0, 3, 3)
     body = world.obstacles.movables[0]
     body.velocity, body.angular_velocity = (speed, 0.0), speed
-    world.obstacles.push(world.x, world.y, world.theta, 0.0, 0.0, STEP)
+    world.obstacles.begin_push(world.x, world.y, world.theta, 0.0, 0.0, STEP)
+    world.obstacles.push(STEP)
     assert (body.velocity, body.angular_velocity) == ((0.0, 0.0), 0.0)
 
 

@@ -158,6 +158,7 @@ function Room({room, label}: {room: Signal<RoomState>; label: string}): VNode {
       placed: nothing,
       pushed: nothing,
       holds: nothing,
+      companionPlaced: nothing,
       follows: nothing,
       asked: nothing,
       read: nothing,

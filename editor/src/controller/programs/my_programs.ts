@@ -33,6 +33,10 @@ function openMyPrograms(store: Store, loader: ProgramLoader, programStore: Progr
     deleted: programStore.deleted,
     picture: id => readBlockPicture(programStore.picture(id)),
     isOpen,
+    haskell(id) {
+      const parsed = parseProject(programStore.read(id) ?? "")
+      return parsed.ok ? parsed.project.haskell : null
+    },
     open(id) {
       const text = programStore.read(id)
       if (text !== null) loader.openText(words.yourProgram, text, {id})

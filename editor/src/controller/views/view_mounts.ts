@@ -164,6 +164,7 @@ export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContex
     placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
     pushed: (thing, pose) => store.dispatch({kind: "hand", hand: {move: {thing, ...pose}}}),
     holds: thing => store.dispatch({kind: "held", thing}),
+    companionPlaced: (companion, place) => store.dispatch({kind: "companion-placed", companion, place}),
     follows: follows => store.dispatch({kind: "follows", follows}),
     read: () => store.dispatch({kind: "why", event: {kind: "closed"}}),
     asked(about) {

@@ -122,11 +122,15 @@ export function openViewUpdates(
       follows: state.follows,
       hands: state.run.kind === "running" && state.robots.held === null,
       held: state.room.held,
+      companions: state.robots.held === null ? state.companions : noCompanions,
       overlay: overlay && {...overlay, names: namesOf(overlay)},
     }
     if (room?.draw(state.room, sight, now)) redraw()
   }
 }
+
+/// The same value at each drawing: a real robot has no others beside it.
+const noCompanions: PageState["companions"] = []
 
 /// The names beside two robots. Those of a real run and its twin are short.
 function namesOf({shown, compared}: Overlay): {readonly shown: string; readonly compared: string} {

@@ -2,6 +2,7 @@
 
 import type {VNode} from "preact"
 import {useEffect, useState} from "preact/hooks"
+import {lacksPreview} from "../../reducers/preview_requests.ts"
 import {usePageState} from "../../ui/app_context.ts"
 import {measures, words} from "../../words/index.ts"
 import {type Comparison, compare} from "./comparison.ts"
@@ -15,11 +16,15 @@ export function PreviewNote(): VNode {
   const told = usePageState(s => JSON.stringify(compare(s)))
   const comparison = JSON.parse(told) as Comparison | null
   const unrepeatable = usePageState(s => s.room.preview.answer?.unrepeatable === true)
-  const sentence = unrepeatable
-    ? words.preview.unrepeatable
-    : comparison === null
-      ? ""
-      : previewSentence(comparison, words.preview, measures)
+  const isShared = usePageState(lacksPreview)
+  const sentence = isShared
+    ? words.companions.noPreview
+    : unrepeatable
+      ? words.preview.unrepeatable
+      : comparison === null
+        ? ""
+        : previewSentence(comparison, words.preview, measures)
+  const isPlain = isShared || unrepeatable
   const [spoken, speak] = useState("")
   useEffect(() => {
     const timer = setTimeout(() => speak(sentence), sentence === "" ? 0 : calm)
@@ -29,11 +34,11 @@ export function PreviewNote(): VNode {
     <>
       {sentence !== "" && (
         <p
-          class={unrepeatable || comparison?.current === true ? "preview-note" : "preview-note old"}
+          class={isPlain || comparison?.current === true ? "preview-note" : "preview-note old"}
           aria-hidden="true"
           data-testid="preview"
         >
-          {!unrepeatable && <span class="preview-line" />}
+          {!isPlain && <span class="preview-line" />}
           {sentence}
         </p>
       )}

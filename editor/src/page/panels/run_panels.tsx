@@ -52,7 +52,9 @@ export function ConsolePanel(): VNode {
           <span class="when">{measures.fixed(line.time, 2)}</span>
           <LineText line={line} />
           {line.count > 1 && <span class="quiet">{words.times(line.count)}</span>}
-          {asks && <WhyButton about={aboutLine(line)} question={() => questionOf(line)} />}
+          {asks && line.kind !== "companion" && (
+            <WhyButton about={aboutLine(line)} question={() => questionOf(line)} />
+          )}
         </p>
       ))}
       {(allEvents || lines.length < all.length) && (
@@ -86,6 +88,7 @@ function questionOf({kind, text, time}: ConsoleLine): Question {
 function LineText({line}: {line: ConsoleLine}): VNode {
   switch (line.kind) {
     case "said":
+    case "companion":
       return <span class="text">{line.text}</span>
     case "sound":
       return (

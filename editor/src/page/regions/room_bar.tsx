@@ -3,7 +3,7 @@
 import type {VNode} from "preact"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {IconButton} from "../../ui/controls.tsx"
-import {ChevronIcon, EditIcon, ShieldIcon, SoundIcon} from "../../ui/icons.tsx"
+import {ChevronIcon, EditIcon, RobotsIcon, ShieldIcon, SoundIcon} from "../../ui/icons.tsx"
 import {words} from "../../words/index.ts"
 import {nameOfRoom} from "../dialogs/galleries.tsx"
 import {DragHandle, HideButton} from "./region_header.tsx"
@@ -41,6 +41,7 @@ export function RoomBar(): VNode {
       >
         <EditIcon />
       </IconButton>
+      <CompanionsButton />
       <span class="space" />
       <SafetySwitch />
       <IconButton
@@ -52,6 +53,27 @@ export function RoomBar(): VNode {
       </IconButton>
       <HideButton region="room" />
     </div>
+  )
+}
+
+/// Opens the choice of the other robots. A real robot has none beside it.
+function CompanionsButton(): VNode {
+  const {store} = useController()
+  const there = usePageState(s => s.room.world !== null)
+  const held = usePageState(s => s.robots.held !== null)
+  const number = usePageState(s => s.companions.length)
+  return (
+    <IconButton
+      label={words.companions.more}
+      hint={words.companions.hint}
+      hidden={held}
+      disabled={!there}
+      data-testid="companions"
+      onClick={() => store.dispatch({kind: "dialog", dialog: "companions"})}
+    >
+      <RobotsIcon />
+      {number > 0 && <span class="count">{number}</span>}
+    </IconButton>
   )
 }
 

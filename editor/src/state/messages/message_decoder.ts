@@ -10,9 +10,9 @@ import type {Frame, ServiceMessage} from "./messages.ts"
 import {previewOf} from "./preview.ts"
 
 export function pageFrame(shown: ShownFrame): Frame {
-  const {pose, run, step, time, channels, fired, sensed, times, boxes, ghost, memory, firings} = shown
+  const {pose, run, step, time, channels, fired, sensed, times, boxes, others, ghost, memory, firings} = shown
   const {x, y, theta} = pose
-  return {run, step, time, x, y, theta, channels, fired, sensed, times, boxes, ghost, memory, firings}
+  return {run, step, time, x, y, theta, channels, fired, sensed, times, boxes, others, ghost, memory, firings}
 }
 
 function runState({op, run, state, place, branches, ended, problems}: RunState): ServiceMessage {

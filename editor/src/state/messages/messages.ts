@@ -14,9 +14,9 @@ import type {Preview} from "./preview.ts"
 import type {Explanation} from "./why_state.ts"
 
 /// State of the robot at one time: ground truth in room coordinates, and the values of its channels. A message has only values that changed.
-export type Frame = Omit<ShownFrame, "op" | "pose" | "firings" | "times"> &
+export type Frame = Omit<ShownFrame, "op" | "pose" | "firings" | "times" | "others"> &
   PoseShown &
-  Partial<Pick<ShownFrame, "firings" | "times">>
+  Partial<Pick<ShownFrame, "firings" | "times" | "others">>
 
 export type LessonChecks = Omit<ChecksShown, "op">
 

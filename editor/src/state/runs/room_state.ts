@@ -169,11 +169,18 @@ export function addFrame(room: RoomState, heard: Frame): RoomState {
   // Firings are kept in a log of their own.
   const {firings = [], ...told} = heard
   // A frame carries only values that have changed.
-  const {boxes, memory, channels} = room.frame ?? {boxes: null, memory: null, channels: {}}
+  const {boxes, others, memory, channels} = {
+    boxes: null,
+    others: null,
+    memory: null,
+    channels: {},
+    ...room.frame,
+  }
   const frame = {
     ...told,
     channels: {...channels, ...told.channels},
     boxes: told.boxes ?? boxes,
+    others: told.others ?? others,
     memory: told.memory ?? memory,
   }
   const fired =
@@ -206,6 +213,8 @@ export function recentlyFired(room: RoomState): readonly string[] {
 /// A line of the console. `count` says how many equal lines in a row it stands for.
 export type ConsoleLine = {readonly time: number; readonly count: number} & (
   | {readonly kind: "said"; readonly text: string}
+  /// What another robot in the room said, or why its program has ended; the text names it.
+  | {readonly kind: "companion"; readonly text: string}
   | {readonly kind: "sensed"; readonly text: string}
   | {readonly kind: "sound"; readonly text: string}
   /// The safety rules began to override the program.

@@ -11,6 +11,9 @@ export interface GestureHost {
   robot(): Pose | null
   /// What can be pushed, where it is drawn.
   things(): readonly MovableObject[]
+  /// The other robots that a hand can take to another place: those before a run.
+  companions(): readonly Pose[]
+  companionPlaced(companion: number, pose: Pose): void
   /// The thing that the keyboard holds; `null` is the robot.
   held(): number | null
   /// Whether gestures move the robot and things: only while a program runs.
@@ -73,6 +76,13 @@ type GestureTarget =
   | {readonly kind: "robot"; readonly dx: number; readonly dy: number; theta: number}
   | {readonly kind: "turn"; readonly by: number}
   | {readonly kind: "thing"; readonly thing: number; readonly dx: number; readonly dy: number; theta: number}
+  | {
+      readonly kind: "companion"
+      readonly companion: number
+      readonly dx: number
+      readonly dy: number
+      theta: number
+    }
   | {readonly kind: "floor"; readonly x: number; readonly y: number}
 
 export function watchGestures(canvas: HTMLCanvasElement, host: GestureHost): void {
@@ -172,7 +182,7 @@ class PointerGestures {
     const {grip} = this
     event.preventDefault()
     const p = this.at(event)
-    if (grip?.kind === "robot" || grip?.kind === "thing") {
+    if (grip?.kind === "robot" || grip?.kind === "thing" || grip?.kind === "companion") {
       // The wheel turns what the hand holds.
       grip.theta += Math.sign(event.deltaY) * keyTurn
       this.drag(grip, p)
@@ -202,8 +212,19 @@ class PointerGestures {
     const {host} = this
     const robot = host.robot()
     const floor: GestureTarget = {kind: "floor", ...p}
-    if (robot === null || !host.able()) return floor
     const point = this.inRoom(p)
+    const companions = host.companions()
+    const companion = companions.findIndex(at => Math.hypot(point.x - at.x, point.y - at.y) < reach)
+    const found = companions[companion]
+    if (found !== undefined)
+      return {
+        kind: "companion",
+        companion,
+        dx: found.x - point.x,
+        dy: found.y - point.y,
+        theta: found.theta,
+      }
+    if (robot === null || !host.able()) return floor
     const away = Math.hypot(point.x - robot.x, point.y - robot.y)
     const bearing = Math.atan2(point.y - robot.y, point.x - robot.x)
     const handle = handleOf(robot)
@@ -231,7 +252,8 @@ class PointerGestures {
       host.placed({x: robot.x, y: robot.y, theta: bearing + grip.by})
     } else {
       const pose = {x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta}
-      if (grip.kind === "robot") host.placed(pose)
+      if (grip.kind === "companion") host.companionPlaced(grip.companion, pose)
+      else if (grip.kind === "robot") host.placed(pose)
       else host.pushed(grip.thing, pose)
     }
   }

@@ -23,6 +23,8 @@ export interface Palette {
   readonly ring: string
   readonly mark: string
   readonly leds: readonly [string, string, string, string]
+  /// The bodies of the other robots in the room.
+  readonly companions: readonly string[]
   /// The colours of the pen, by the numbers of `PenColor`.
   readonly inks: readonly string[]
   readonly font: string
@@ -59,6 +61,7 @@ export function paletteOf(token: (name: string) => string): Palette {
     ring: token("--robot-ring"),
     mark: token("--robot-mark"),
     leds: [token("--led-black"), token("--led-green"), token("--led-orange"), token("--led-red")],
+    companions: [2, 3, 4].map(number => token(`--robot-${number}`)),
     inks: penColors.map(color => token(`--pen-${color}`)),
     font: token("--ui"),
   }

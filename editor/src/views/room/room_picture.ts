@@ -14,7 +14,6 @@ import {robotRadius, type World} from "../../worlds/world.ts"
 import {type Layer, openLayer} from "./cached_layer.ts"
 import {toScreen, Viewport} from "./camera.ts"
 import {handleOf} from "./gestures.ts"
-
 import type {Overlay} from "./overlay.ts"
 import {drawOverlay, drawRunNames} from "./overlay_drawing.ts"
 import {type Palette, readPalette} from "./palette.ts"
@@ -22,6 +21,7 @@ import {type MovableObject, movableObjectsOf, type Pose, RobotMotion} from "./po
 import {drawPreview} from "./preview_drawing.ts"
 import {type QuestionTarget, type Spot, targetAt} from "./question_targets.ts"
 import {drawBeams, drawBubble, drawGhost, drawRobot} from "./robot_drawing.ts"
+import {CompanionMotions, drawCompanions} from "./robots/companion_drawing.ts"
 import {type InkView, openInk, openPath, type PathView} from "./trail_drawing.ts"
 import {trailUntil} from "./trail_segments.ts"
 import {drawObjects, drawWorld} from "./world_drawing.ts"
@@ -35,6 +35,8 @@ export interface RoomViewOptions {
   readonly hands: boolean
   /// The thing that the keyboard holds.
   readonly held: number | null
+  /// Where other robots start before a run.
+  readonly companions?: readonly Pose[]
   /// A run to compare with the shown one, and the names of both.
   readonly overlay: (Overlay & {readonly names: {readonly shown: string; readonly compared: string}}) | null
 }
@@ -52,9 +54,12 @@ export class RoomPicture {
   /// Where the robot is drawn, and what can be pushed.
   robot: Pose | null = null
   things: readonly MovableObject[] = []
+  /// The other robots where a hand can take hold of them: before a run.
+  companions: readonly Pose[] = []
   private readonly canvas: HTMLCanvasElement
   private readonly ctx: CanvasRenderingContext2D
   private readonly motion = new RobotMotion()
+  private readonly otherMotions = new CompanionMotions()
   private readonly ground: Layer
   private readonly path: PathView
   private readonly ink: InkView
@@ -110,6 +115,7 @@ export class RoomPicture {
     if (room.world === null) {
       this.robot = null
       this.things = []
+      this.companions = []
       this.bubble = null
       return false
     }
@@ -140,6 +146,10 @@ export class RoomPicture {
     viewport.inMetres(ctx)
     this.things = movableObjectsOf(world, frame?.boxes ?? [])
     drawObjects(ctx, world, frame?.boxes ?? [], palette, scale)
+    const moved = room.run === null ? null : this.otherMotions.posesAt(frame, room.lookedAt === null, now)
+    const starts = sight.companions ?? []
+    this.companions = room.run === null ? starts : []
+    drawCompanions(ctx, moved ?? starts, palette, scale, world)
     this.drawRobots(frame, pose, world)
     if (this.hands.able) drawHands(ctx, this.hands, pose, this.things, palette, scale)
     viewport.inPixels(ctx)

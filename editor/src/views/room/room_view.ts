@@ -27,6 +27,8 @@ export interface RoomListener {
   /// The learner pushed a movable thing towards this pose, or took hold of it by keyboard.
   pushed(thing: number, pose: Pose): void
   holds(thing: number | null): void
+  /// The learner took another robot to this pose, before a run.
+  companionPlaced(companion: number, pose: Pose): void
   /// The picture is to go with the robot, or no longer: the learner moved it by hand, or asked for all of the room.
   follows(follows: boolean): void
   /// The learner asks why the robot moves, shines or speaks as it does, or why it was at a point of its trail.
@@ -67,10 +69,12 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     camera: () => viewport.camera,
     robot: () => picture.robot,
     things: () => picture.things,
+    companions: () => picture.companions,
     held: () => picture.hands.held,
     able: () => picture.hands.able,
     placed: pose => listener.placed(viewport.inside(pose)),
     pushed: (thing, pose) => listener.pushed(thing, viewport.inside(pose)),
+    companionPlaced: (companion, pose) => listener.companionPlaced(companion, pose),
     holds(held) {
       // At once: the next key may come before the next picture.
       picture.hands = {...picture.hands, held}

@@ -18,6 +18,8 @@ export type Answer =
   | runs.RunState
   | runs.Frame
   | runs.Said
+  | runs.CompanionSaid
+  | runs.CompanionEnded
   | runs.ConflictShown
   | runs.Blocked
   | explanations.Because
@@ -43,6 +45,8 @@ export const answer: read.Decoder<Answer> = /*#__PURE__*/ read.tagged<Answer>({
   "state": runs.runState,
   "frame": runs.frame,
   "said": runs.said,
+  "companion-said": runs.companionSaid,
+  "companion-ended": runs.companionEnded,
   "conflict": runs.conflictShown,
   "blocked": runs.blocked,
   "because": explanations.because,

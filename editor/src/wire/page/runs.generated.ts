@@ -24,9 +24,19 @@ export const goal: read.Decoder<Goal> = /*#__PURE__*/ read.struct<Goal>({
   time: read.nullable(read.number),
 })
 
+/// One more robot in the room of a run: its program, and where it starts, m and rad.
+export interface Companion {
+  readonly name: string
+  readonly source: string
+  readonly x: number
+  readonly y: number
+  readonly theta: number
+}
+
 /// Compile and drive. `after`: repeat so many steps of the run `of`, without one the last run, with its seed and hands,
 /// and go on from there. `paused`: in the simulator, start with the clock stopped, before the first step. `twin`: on a
-/// real robot, the number of a run of the same program in the simulator beside it.
+/// real robot, the number of a run of the same program in the simulator beside it. `companions`: in the simulator, more
+/// robots in the room; with `after` those of the earlier run are there, and these are not read.
 export interface Run {
   readonly op: "run"
   readonly run: number
@@ -37,6 +47,7 @@ export interface Run {
   readonly of?: number | null
   readonly twin?: number | null
   readonly paused?: boolean
+  readonly companions?: readonly Companion[]
 }
 
 /// End the run.
@@ -105,8 +116,8 @@ export const runState: read.Decoder<RunState> = /*#__PURE__*/ read.struct<RunSta
 })
 
 /// Ground truth for drawing. `times`, s, of each of `sensed`, when there is one; `boxes` only when movable things have
-/// moved since the last frame with them; `ghost` only when odometry is not the truth; `memory` only when it has
-/// changed; `firings` only while the page observes the run.
+/// moved since the last frame with them, `others` when other robots have; `ghost` only when odometry is not the truth;
+/// `memory` only when it has changed; `firings` only while the page observes the run.
 export interface Frame {
   readonly op: "frame"
   readonly time: number
@@ -118,6 +129,7 @@ export interface Frame {
   readonly step: number
   readonly times: readonly number[] | null
   readonly boxes: readonly (readonly [number, number, number])[] | null
+  readonly others: readonly (readonly [number, number, number])[] | null
   readonly ghost: readonly [number, number, number] | null
   readonly memory: readonly link_messages.MemoryValue[] | null
   readonly firings: readonly explanations.FiringShown[] | null
@@ -133,6 +145,7 @@ export const frame: read.Decoder<Frame> = /*#__PURE__*/ read.struct<Frame>({
   step: read.integer,
   times: read.absent(read.nullable(read.items(read.number)), null),
   boxes: read.absent(read.nullable(read.items(read.tuple(read.number, read.number, read.number))), null),
+  others: read.absent(read.nullable(read.items(read.tuple(read.number, read.number, read.number))), null),
   ghost: read.absent(read.nullable(read.tuple(read.number, read.number, read.number)), null),
   memory: read.absent(read.nullable(read.items(link_messages.memoryValue)), null),
   firings: read.absent(read.nullable(read.items(explanations.firingShown)), null),
@@ -150,6 +163,38 @@ export const said: read.Decoder<Said> = /*#__PURE__*/ read.struct<Said>({
   time: read.number,
   text: read.string,
   run: read.integer,
+})
+
+/// A line for the console, of another robot of the run: 1 for the first of its companions.
+export interface CompanionSaid {
+  readonly op: "companion-said"
+  readonly time: number
+  readonly text: string
+  readonly run: number
+  readonly robot: number
+}
+export const companionSaid: read.Decoder<CompanionSaid> = /*#__PURE__*/ read.struct<CompanionSaid>({
+  op: read.tag("companion-said"),
+  time: read.number,
+  text: read.string,
+  run: read.integer,
+  robot: read.integer,
+})
+
+/// The program of another robot of the run has ended, at a time, s. `problem`: why, if not by itself.
+export interface CompanionEnded {
+  readonly op: "companion-ended"
+  readonly run: number
+  readonly robot: number
+  readonly time: number
+  readonly problem: problem.Problem | null
+}
+export const companionEnded: read.Decoder<CompanionEnded> = /*#__PURE__*/ read.struct<CompanionEnded>({
+  op: read.tag("companion-ended"),
+  run: read.integer,
+  robot: read.integer,
+  time: read.number,
+  problem: read.nullable(problem.problem),
 })
 
 /// A sound to play.

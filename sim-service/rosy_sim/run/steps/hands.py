@@ -14,6 +14,7 @@ from typing import Any
 
 import msgspec
 
+from ...wire.page import Companion
 from ...wire.topics import TopicMessage
 from ...world.events import Command, GiveGoal, Lift, Move, Press, TakeBackGoal, Teleport
 from ...world.world import ActionRefused
@@ -56,6 +57,8 @@ class RecordedHands:
     seed: int = 0
     safety: SafetySettings = OFF
     actions: list[tuple[int, HandAction]] = field(default_factory=list)
+    # The other robots in the room.
+    companions: tuple[Companion, ...] = ()
     # Whether all actions are recorded, so that the run can be repeated.
     is_complete: bool = True
 

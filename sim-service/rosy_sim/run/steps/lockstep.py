@@ -300,15 +300,22 @@ class Lockstep:
 
     def integrate(self) -> None:
         """Let the step's 20 ms pass."""
-        world = self.world
+        self.guard()
+        self.world.integrate()
+        self.advance()
+
+    def guard(self) -> None:
+        """Let the velocity guard look at the settled step."""
         if self.step % GUARD_STEPS == 0 and self.ended is None:
             self._drive(self._guard.tick(self.time))
             if self._goals and self.is_overridden:
                 # The rules and the robot's own program would drive at once.
                 self.cancel_goals()
-        world.integrate()
+
+    def advance(self) -> None:
+        """The step's 20 ms have passed in the world."""
         self.step += 1
-        self.is_blocked = self._blocked_drive.observe(world)
+        self.is_blocked = self._blocked_drive.observe(self.world)
         if self.has_goals:
             self.goals.observe(self.observation())
 

@@ -136,11 +136,19 @@ class PageRuns:
                 self.refuse(error.sentence, tr("Press Run for a new run."))
                 self.view.show_ended(request.run, "stopped", [])
                 return
-            seed, settings = recorded.seed, recorded.safety
+            seed, settings, companions = recorded.seed, recorded.safety, recorded.companions
+            room = built.with_robots(seed, companions)
         else:
             seed, replay, settings = _seed_of(request), NO_REPLAY, safety.settings
-            robot.hands.begin(seed, settings, request.run)
-        robot.begin_run(built.with_robot(seed))
+            companions = tuple(request.companions)
+            try:
+                room = built.with_robots(seed, companions)
+            except BadInput as error:
+                self.refuse(error.sentence)
+                self.view.show_ended(request.run, "stopped", [])
+                return
+            robot.hands.begin(seed, settings, request.run, companions)
+        robot.begin_run(room)
         self.lesson.start(request.run, request.source, robot.world.arena)
         simulation = Simulation(
             robot.world,
@@ -153,6 +161,7 @@ class PageRuns:
             self.lesson.on_over,
             self._observes,
             replay,
+            companions,
         )
         prepared = self._preparation.take(request.source)
         self._run = SimulatedRun(request, simulation, self._services, self.view, self._on_over, prepared)

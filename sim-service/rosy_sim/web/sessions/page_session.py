@@ -132,7 +132,8 @@ class PageSession:
                 self._runs.view.show_room(self.simulator.room)
             case page.Run():
                 self._end_now()
-                if self._is_short_enough(request.source):
+                sources = [request.source, *(companion.source for companion in request.companions)]
+                if all(self._is_short_enough(source) for source in sources):
                     self._runs.start(request, built, self.ownership)
 
     def _serve(self, request: page.Request) -> None:

@@ -100,6 +100,7 @@ class PageView:
         self._robot_began = -math.inf
         # What the page was last told: poses of the movable things, and goals.
         self._boxes: list[tuple[float, float, float]] = []
+        self._others: list[tuple[float, float, float]] = []
         self._goals: list[page.Goal] = []
         self._output_limit = TokenBucket(_OUTPUT_RATE, _OUTPUT_BURST, now())
         self._frame_rate = frame_rate
@@ -135,6 +136,7 @@ class PageView:
         """Show the same room as it is before a run; the page has it already."""
         self._room = room
         self._boxes = []
+        self._others = []
         self._goals = []
         self._fired = []
         self._sensed = []
@@ -239,6 +241,19 @@ class PageView:
         """Play a sound."""
         self._outbox.put(page.SoundPlayed(time, sound, run=self.run))
 
+    def show_companion_said(self, robot: int, time: float, texts: list[str], sounds: list[int]) -> None:
+        """Show the texts and play the sounds of another robot, as far as the limit allows."""
+        for text in texts:
+            if self._output_limit.spend(1, self._now()):
+                self._outbox.put(page.CompanionSaid(time, text[:_MAX_TEXT], run=self.run, robot=robot))
+        for sound in sounds[:_MAX_SOUNDS]:
+            if self._output_limit.spend(1, self._now()):
+                self.play_sound(time, sound)
+
+    def show_companion_ended(self, robot: int, time: float, problem: Problem | None) -> None:
+        """Show that the program of another robot has ended before the run."""
+        self._outbox.put(page.CompanionEnded(self.run, robot, time, problem))
+
     def show_goals(self, states: list[GoalState]) -> None:
         """Show the goals if they have changed visibly."""
         goals = [page.Goal(s.kind, s.title, s.state, round(s.progress, 2), s.time) for s in states]
@@ -275,6 +290,7 @@ class PageView:
             pose,
             self._changed_channels(world),
             boxes=self._moved_boxes(),
+            others=self._moved_others(),
             ghost=_rounded(world.ghost()),
             **self._observations(),
         )
@@ -282,9 +298,8 @@ class PageView:
     def snapshot(self) -> page.Frame:
         """A frame with all that is drawn of the simulated robot, for others than the page."""
         world = self._room.world
-        boxes = [
-            (round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in world.obstacles.poses()
-        ]
+        boxes = [_digits(pose) for pose in world.obstacles.poses()]
+        others = [_digits((other.x, other.y, other.theta)) for other in world.others]
         return page.Frame(
             self.step / STEPS_PER_SECOND,
             PoseShown(round(world.x, _DIGITS), round(world.y, _DIGITS), round(world.theta, _DIGITS)),
@@ -297,6 +312,7 @@ class PageView:
             run=self.run,
             step=self.step,
             boxes=boxes or None,
+            others=others or None,
         )
 
     def show_telemetry(self, line: FrameLine) -> None:
@@ -385,7 +401,15 @@ class PageView:
         if poses == self._boxes:
             return None
         self._boxes = poses
-        return [(round(x, _DIGITS), round(y, _DIGITS), round(theta, _DIGITS)) for x, y, theta in poses]
+        return [_digits(pose) for pose in poses]
+
+    def _moved_others(self) -> list[tuple[float, float, float]] | None:
+        """Poses of the other robots if they differ from those that the page was told last."""
+        poses = [(other.x, other.y, other.theta) for other in self._room.world.others]
+        if poses == self._others:
+            return None
+        self._others = poses
+        return [_digits(pose) for pose in poses]
 
 
 def _placed(pose: PoseShown, origin: Pose) -> PoseShown:
@@ -398,4 +422,8 @@ def _placed(pose: PoseShown, origin: Pose) -> PoseShown:
 
 
 def _rounded(pose: tuple[float, float, float] | None) -> tuple[float, float, float] | None:
-    return None if pose is None else (round(pose[0], _DIGITS), round(pose[1], _DIGITS), round(pose[2], _DIGITS))
+    return None if pose is None else _digits(pose)
+
+
+def _digits(pose: tuple[float, float, float]) -> tuple[float, float, float]:
+    return round(pose[0], _DIGITS), round(pose[1], _DIGITS), round(pose[2], _DIGITS)

@@ -34,6 +34,9 @@ from .runs import (
     MAX_SPEED,
     MIN_SPEED,
     Blocked,
+    Companion,
+    CompanionEnded,
+    CompanionSaid,
     ConflictShown,
     Diverged,
     Forward,
@@ -67,6 +70,9 @@ __all__ = [
     "ChecksShown",
     "ChooseLessonStep",
     "ChooseWorld",
+    "Companion",
+    "CompanionEnded",
+    "CompanionSaid",
     "Complete",
     "Completed",
     "ConflictShown",
@@ -176,6 +182,10 @@ def read_request(text: str | bytes) -> Request:
         if not math.isfinite(request.speed) or request.speed <= 0:
             raise BadRequest("a speed must be more than 0")
         request.speed = max(MIN_SPEED, min(MAX_SPEED, request.speed))
+    if isinstance(request, Run):
+        for robot in request.companions:
+            if not all(math.isfinite(number) for number in (robot.x, robot.y, robot.theta)):
+                raise BadRequest("the place of a robot must be finite")
     if isinstance(request, Preview) and not (math.isfinite(request.seconds) and 0 < request.seconds <= MAX_PREVIEW):
         raise BadRequest(f"the time of a preview must be more than 0 and at most {MAX_PREVIEW:g} s")
     return request
@@ -190,6 +200,8 @@ Answer = (
     | RunState
     | Frame
     | Said
+    | CompanionSaid
+    | CompanionEnded
     | ConflictShown
     | Blocked
     | Because

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Annotated, Literal
 
 import msgspec
 
@@ -14,9 +14,13 @@ from ..user_input import UserInput
 from .explanations import FiringShown
 
 __all__ = [
+    "MAX_COMPANIONS",
     "MAX_SPEED",
     "MIN_SPEED",
     "Blocked",
+    "Companion",
+    "CompanionEnded",
+    "CompanionSaid",
     "ConflictShown",
     "Diverged",
     "Forward",
@@ -43,13 +47,28 @@ MIN_SPEED, MAX_SPEED = 0.05, 64.0
 """Slowest and fastest clock a page may ask for, times real time."""
 
 
+MAX_COMPANIONS = 3
+"""Robots in the room besides that of the run. Each has a place among the programs that run at once."""
+
+
+class Companion(msgspec.Struct):
+    """One more robot in the room of a run: its program, and where it starts, m and rad."""
+
+    name: str
+    source: str
+    x: float
+    y: float
+    theta: float
+
+
 class Run(msgspec.Struct, tag="run", tag_field="op"):
     """
     Compile and drive.
 
     ``after``: repeat so many steps of the run ``of``, without one the last run, with its seed and hands, and go on
     from there. ``paused``: in the simulator, start with the clock stopped, before the first step. ``twin``: on a real
-    robot, the number of a run of the same program in the simulator beside it.
+    robot, the number of a run of the same program in the simulator beside it. ``companions``: in the simulator, more
+    robots in the room; with ``after`` those of the earlier run are there, and these are not read.
     """
 
     run: int
@@ -60,6 +79,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     of: int | None = None
     twin: int | None = None
     paused: bool = False
+    companions: Annotated[list[Companion], msgspec.Meta(max_length=MAX_COMPANIONS)] = []
 
 
 class Stop(msgspec.Struct, tag="stop", tag_field="op"):
@@ -107,13 +127,14 @@ class RunState(msgspec.Struct, tag="state", tag_field="op", omit_defaults=True):
 
 class Frame(Telemetry, tag="frame", tag_field="op", omit_defaults=True, kw_only=True):
     """Ground truth for drawing. ``times``, s, of each of ``sensed``, when there is one; ``boxes`` only when movable
-    things have moved since the last frame with them; ``ghost`` only when odometry is not the truth; ``memory`` only
-    when it has changed; ``firings`` only while the page observes the run."""
+    things have moved since the last frame with them, ``others`` when other robots have; ``ghost`` only when odometry
+    is not the truth; ``memory`` only when it has changed; ``firings`` only while the page observes the run."""
 
     run: int
     step: int
     times: list[float] | None = None
     boxes: list[tuple[float, float, float]] | None = None
+    others: list[tuple[float, float, float]] | None = None
     ghost: tuple[float, float, float] | None = None
     memory: list[MemoryValue] | None = None
     firings: list[FiringShown] | None = None
@@ -123,6 +144,22 @@ class Said(Speech, tag="said", tag_field="op", kw_only=True):
     """A line for the console."""
 
     run: int
+
+
+class CompanionSaid(Speech, tag="companion-said", tag_field="op", kw_only=True):
+    """A line for the console, of another robot of the run: 1 for the first of its companions."""
+
+    run: int
+    robot: int
+
+
+class CompanionEnded(msgspec.Struct, tag="companion-ended", tag_field="op"):
+    """The program of another robot of the run has ended, at a time, s. ``problem``: why, if not by itself."""
+
+    run: int
+    robot: int
+    time: float
+    problem: Problem | None
 
 
 class SoundPlayed(PlayedSound, tag="sound", tag_field="op", kw_only=True):

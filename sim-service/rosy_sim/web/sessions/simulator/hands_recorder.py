@@ -73,9 +73,11 @@ class HandsRecorder:
             run.switch_safety(settings)
             self._recorded.add(run.step, settings)
 
-    def begin(self, seed: int, safety: SafetySettings, run: int | None = None) -> None:
+    def begin(
+        self, seed: int, safety: SafetySettings, run: int | None = None, companions: tuple[page.Companion, ...] = ()
+    ) -> None:
         """The run with this number begins; None: there is none any more that a preview repeats."""
-        self._replace(RecordedHands(seed, safety), run)
+        self._replace(RecordedHands(seed, safety, companions=companions), run)
 
     def forget_room(self) -> None:
         """The room is another one: no earlier run can be continued."""
@@ -119,7 +121,7 @@ class HandsRecorder:
         switched = [action for _, action in actions if isinstance(action, SafetySettings)]
         if safety != (switched[-1] if switched else of.safety):
             actions.append((steps, safety))
-        self._replace(RecordedHands(of.seed, of.safety, actions), request.run)
+        self._replace(RecordedHands(of.seed, of.safety, actions, companions=of.companions), request.run)
         return self._recorded, Replay(steps, tuple(actions), commands)
 
     @property

@@ -4,13 +4,17 @@ Rooms that pages ask for, built in turns on the event loop. ``loop_scheduler.py`
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
+from ....errors import BadInput
 from ....robots import robot_in
 from ....sentences.sentence import tr
-from ....world.arena import Arena, read_arena
+from ....wire.page import Companion
+from ....world.arena import Arena, ArenaError, Pose, read_arena
 from ....world.obstacles import Obstacles
 from ....world.robot import Robot
+from ....world.shared_world import SharedWorld
 from ....world.world import World
 from ....worlds.gallery import named_world, refusing_worlds
 from ...pacing.loop_scheduler import PageTurns
@@ -41,6 +45,23 @@ class BuiltRoom:
         """
         with refusing_worlds(tr("This")):
             return Room(self.json, World(self.arena, robot or robot_in(self.arena), seed, self.obstacles))
+
+    def with_robots(self, seed: int, companions: Sequence[Companion]) -> Room:
+        """
+        The same with more robots.
+
+        Raises:
+            BadInput: a robot cannot stand at its start.
+        """
+        if not companions:
+            return self.with_robot(seed)
+        starts = [Pose(one.x, one.y, one.theta) for one in companions]
+        try:
+            return Room(self.json, SharedWorld(self.arena, robot_in(self.arena), seed, self.obstacles, starts))
+        except ArenaError as error:
+            raise BadInput(
+                tr("One of the other robots has no room where it should start. Drag it to free floor.")
+            ) from error
 
 
 async def build_room(wanted: object, turns: PageTurns) -> BuiltRoom:
