@@ -140,6 +140,7 @@ module Rosy
     undock,
     driveDistance,
     rotateAngle,
+    navigateTo,
     callAction,
     Action (action),
     ActionServer,
@@ -240,7 +241,7 @@ where
 import Control.Applicative (Alternative)
 import Control.Monad
 import Data.Typeable (Typeable)
-import Rosy.Action (Action (action), ActionServer, Outcome (..), Service (service), ServiceServer, actionServer, callAction, callService, dock, driveDistance, rotateAngle, serviceServer, undock)
+import Rosy.Action (Action (action), ActionServer, Outcome (..), Service (service), ServiceServer, actionServer, callAction, callService, dock, driveDistance, navigateTo, rotateAngle, serviceServer, undock)
 import Rosy.Command
 import Rosy.Controller
 import Rosy.Core (Plan, Sense)

@@ -89,14 +89,20 @@ describe("the room", () => {
 describe("the console", () => {
   it("calls the end of an event and the robot's connection minor, and nothing else", () => {
     const minor = (text: string) => isMinorEvent({kind: "sensed", text})
-    expect(["Online", "Offline", "Bumper LeftBumper Released", "Cliff CenterCliff Floor"].map(minor)).toEqual(
-      [true, true, true, true],
-    )
-    expect(["Bumper LeftBumper Pressed", "Wheel LeftWheel Air", "Button 1 Pressed"].map(minor)).toEqual([
-      false,
-      false,
-      false,
-    ])
+    expect(
+      [
+        "Online",
+        "Offline",
+        "Bumper LeftBumper Released",
+        "Cliff CenterCliff Floor",
+        "Reply dock Feedback",
+      ].map(minor),
+    ).toEqual([true, true, true, true, true])
+    expect(
+      ["Bumper LeftBumper Pressed", "Wheel LeftWheel Air", "Button 1 Pressed", "Reply dock Succeeded"].map(
+        minor,
+      ),
+    ).toEqual([false, false, false, false])
     expect(isMinorEvent({kind: "said", text: "Online"})).toBe(false)
   })
 

@@ -325,6 +325,10 @@ export const blocks: Pick<
     undock: "verlasse die Ladestation",
     undocks:
       "Verlässt die Ladestation: 30 cm zurück, oder so, wie es der Roboter selbst macht. Beispiel: verlasse die Ladestation, dann fahre 50 Zentimeter.",
+    navigateTo: "finde einen Weg zu",
+    facing: "Blick",
+    navigates:
+      "Fährt zu einem Ort um alles herum, was im Weg steht, und dreht sich wie verlangt: 0 ist wie beim Start, 90 links davon. Gemessen wird von dort, wo das Programm begann. Benenne das Ergebnis, um zu erfahren, ob es ging: Succeeded (), Aborted, Unavailable. Beispiel: finde einen Weg zu 2 m vorn, 1 m links.",
     curve: "fahre und drehe",
     untilAnObstacle: "Grad je Sekunde bis zu einem Stoß oder einer Kante",
     degreesASecond: "Grad je Sekunde",

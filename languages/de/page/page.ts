@@ -336,6 +336,22 @@ export const page: Omit<
     overrides: "Sicherheitsregeln: weicht zurück…",
     tookOver: "Die Sicherheitsregeln übernehmen: weicht zurück",
   },
+  replies: {
+    answered: "antwortet:",
+    Feedback: "noch dabei",
+    Succeeded: "fertig",
+    Rejected: "abgelehnt",
+    Aborted: "aufgegeben",
+    Cancelled: "abgebrochen",
+    Unavailable: "das kann hier niemand",
+    succeeded: {dock: "angedockt", navigateTo: "angekommen"},
+    reasons: {
+      "no dock is in sight": "keine Ladestation in Sicht",
+      "something is in the way": "etwas ist im Weg",
+      "it took too long": "es hat zu lange gedauert",
+      "no way leads there": "kein Weg führt dorthin",
+    },
+  },
   blocked: {
     pushes: "Der Roboter drückt gegen etwas und kommt nicht weiter.",
     withBumper: "Eine Funktion mit Bumper als Eingabe kann ihn abwenden.",

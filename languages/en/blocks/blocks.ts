@@ -303,6 +303,10 @@ export const blocks = {
     undock: "leave the dock",
     undocks:
       "Leaves the charging dock: backs up 30 cm, or as the robot itself does it. Example: leave the dock, then drive 50 centimetres.",
+    navigateTo: "find a way to",
+    facing: "facing",
+    navigates:
+      "Drives to a place round what stands in the way, and turns as asked: 0 is as the robot stood at the start, 90 is left of that. It is measured from where the program started. Give its result a name to find out whether it worked: Succeeded (), Aborted, Unavailable. Example: find a way to 2 m ahead, 1 m to the left.",
     curve: "drive and turn",
     untilAnObstacle: "degrees a second until a bump or an edge",
     degreesASecond: "degrees a second",

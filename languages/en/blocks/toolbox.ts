@@ -45,6 +45,7 @@ export const toolbox = {
     goTo: "go to the place 1 m ahead, 0.5 m to the left",
     dock: "drive into the dock",
     undock: "leave the dock",
+    navigateTo: "find a way to the place 2 m ahead, 1 m to the left",
     dockOutcome: "drive into the dock and name the outcome",
     curve: "drive a curve until a bump or an edge",
     eitherOr: "either this or that, by chance",
@@ -64,6 +65,8 @@ export const toolbox = {
     step_go_to: "place position x y coordinates target goal point metres meters reach there destination",
     step_dock: "charge battery station dock home power",
     step_undock: "charge battery station undock leave out",
+    step_navigate_to:
+      "navigate navigation nav2 path route way around obstacles map place pose goal destination",
     step_curve_until_obstacle: "wall edge hole follow circle arc bend obstacle until along",
     step_either_or: "random chance dice luck coin choose",
     randomNumber: "dice luck chance random number",

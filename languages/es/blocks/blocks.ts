@@ -319,6 +319,10 @@ export const blocks: Pick<
     undock: "salir de la base",
     undocks:
       "Sale de la base de carga: retrocede 30 cm, o como lo hace el propio robot. Ejemplo: salir de la base, después avanzar 50 centímetros.",
+    navigateTo: "buscar un camino a",
+    facing: "mirando a",
+    navigates:
+      "Va a un lugar rodeando lo que está en medio y gira como se pide: 0 es como al empezar, 90 a la izquierda. Se mide desde donde empezó el programa. Da un nombre al resultado para saber si salió bien: Succeeded (), Aborted, Unavailable. Ejemplo: buscar un camino a 2 m delante, 1 m a la izquierda.",
     curve: "avanzar y girar",
     untilAnObstacle: "grados por segundo hasta un choque o un borde",
     degreesASecond: "grados por segundo",

@@ -44,6 +44,7 @@ export const toolbox: Words["toolbox"] = {
     goTo: "aller à l’endroit 1 m devant, 0,5 m à gauche",
     dock: "aller dans la station de charge",
     undock: "quitter la station de charge",
+    navigateTo: "trouver un chemin vers l'endroit 2 m devant, 1 m à gauche",
     dockOutcome: "aller dans la station et nommer le résultat",
     curve: "avancer en courbe jusqu’à un choc ou un bord",
     eitherOr: "soit ceci soit cela, au hasard",
@@ -61,6 +62,8 @@ export const toolbox: Words["toolbox"] = {
     step_go_to: "endroit lieu position x y coordonnées but cible point mètres atteindre destination",
     step_dock: "charger batterie station dock courant maison",
     step_undock: "charger batterie station dock quitter sortir",
+    step_navigate_to:
+      "naviguer navigation nav2 chemin route contourner obstacles carte endroit but pose destination",
     step_curve_until_obstacle: "mur bord trou suivre longer cercle arc virage obstacle jusque",
     step_either_or: "hasard aléatoire dé pièce choisir",
     randomNumber: "hasard aléatoire nombre dé chance",

@@ -347,6 +347,22 @@ export const page: Omit<
     overrides: "Règles de sécurité : recule…",
     tookOver: "Les règles de sécurité prennent le relais : recule",
   },
+  replies: {
+    answered: "a répondu :",
+    Feedback: "encore en cours",
+    Succeeded: "terminé",
+    Rejected: "refusé",
+    Aborted: "abandonné",
+    Cancelled: "arrêté",
+    Unavailable: "personne ne sait le faire ici",
+    succeeded: {dock: "dans la station", navigateTo: "arrivé"},
+    reasons: {
+      "no dock is in sight": "aucune station en vue",
+      "something is in the way": "quelque chose est sur le chemin",
+      "it took too long": "cela a duré trop longtemps",
+      "no way leads there": "aucun chemin n'y mène",
+    },
+  },
   blocked: {
     pushes: "Le robot pousse contre quelque chose et ne peut plus avancer.",
     withBumper: "Une fonction qui reçoit Bumper peut le détourner.",

@@ -318,6 +318,10 @@ export const blocks: Pick<
     undock: "saia da base",
     undocks:
       "Sai da base de carga: volta 30 cm, ou como o próprio robô faz. Exemplo: saia da base, depois ande 50 centímetros.",
+    navigateTo: "ache um caminho até",
+    facing: "virado a",
+    navigates:
+      "Vai até um lugar contornando o que está no caminho e vira como pedido: 0 é como no início, 90 à esquerda. Mede-se de onde o programa começou. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ache um caminho até 2 m à frente, 1 m à esquerda.",
     curve: "ande e gire",
     untilAnObstacle: "graus por segundo até uma batida ou uma beira",
     degreesASecond: "graus por segundo",

@@ -42,16 +42,15 @@ module Rosy.Action
     undock,
     driveDistance,
     rotateAngle,
+    navigateTo,
   )
 where
 
 import Control.Exception (throw)
 import Data.Aeson (Value (..), object, (.!=), (.:), (.:?))
 import qualified Data.Aeson as Aeson
-import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (parseMaybe)
 import qualified Data.ByteString.Lazy as Lazy
-import Data.Scientific (toBoundedInteger)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import GHC.Generics (Generic)
@@ -62,7 +61,7 @@ import qualified Rosy.Core as Core
 import Rosy.Geometry
 import Rosy.Motion (drive, turn)
 import Rosy.Problem (Fault (Unreadable))
-import Rosy.Request (Request (..), callPrefix, replyChannel, requestFrame, pattern ReplyMessage, pattern RequestAction)
+import Rosy.Request (Ending (..), Request (..), callPrefix, replyChannel, replyEnding, requestFrame, shownReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Robot (Velocity (..))
 import Rosy.Sense (event)
 import Rosy.Sensor
@@ -136,8 +135,9 @@ pursue (ActionServer name kind content feedback result) goal =
     cancel (Memory (CallId ident)) = Sending (CancelGoal ident name)
     hear reply (Memory ident)
       | not (reply `answers` ident) = (Nothing, Nothing)
-      | replyOperation reply == "action_feedback" = (Just (Feedback (readContent name feedback (replyValues reply))), Nothing)
-      | otherwise = (Nothing, Just (Done (outcomeOf name result reply)))
+      | otherwise = case ending reply of
+        Nothing -> (Just (Feedback (readContent name feedback (replyValues reply))), Nothing)
+        Just ended -> (Nothing, Just (Done (outcomeOf name result (replyValues reply) ended)))
 
 -- | The task that calls a service, and ends with the outcome.
 callService :: forall request response. (Service request response, Rosy.Value response) => request -> Task (Outcome response)
@@ -146,7 +146,7 @@ callService request = taskNamed (Name "callService") (Name "callService") begin 
     ServiceServer name kind content response = service :: ServiceServer request response
     begin = sending (\ident -> CallService ident name kind (contentValue (record (content request))))
     hear reply (Memory ident)
-      | reply `answers` ident = Just (Done (outcomeOf name response reply))
+      | reply `answers` ident = Done . outcomeOf name response (replyValues reply) <$> ending reply
       | otherwise = Nothing
 
 -- | The identifier of a call.
@@ -172,11 +172,11 @@ sending request gen = (Sending (request ident), Memory (CallId ident))
   where
     ident = callPrefix <> Text.pack (show (fst (randomR (0, 2 ^ (53 :: Int)) gen) :: Int))
 
--- | What a server says of a request.
-data Reply = Reply {replyOperation :: Text, replyId :: Text, replyValues :: Value, replyStatus :: Maybe Int, isFailure :: Bool}
+-- | What a server says of a request: its frame, whose request it is, the message in it, and how the call ended if it did.
+data Reply = Reply {replyFrame :: Value, replyId :: Text, replyValues :: Value, ending :: Maybe Ending}
 
 instance Rosy.Value Reply where
-  display _ reply = showString (Text.unpack (replyOperation reply))
+  display _ reply = showString (shownReply (replyFrame reply))
   settle budget reply = reply `seq` budget - 1
   initial _ = Nothing
 
@@ -184,32 +184,21 @@ instance Sensor Reply where
   sensor = event (channelInterest replyChannel) pick
     where
       pick occurrence = case occurrence of
-        Core.Sensed (ReplyMessage (Object o)) -> parseMaybe parts o
+        Core.Sensed (ReplyMessage frame@(Object o)) -> parseMaybe (parts frame) o
         _ -> Nothing
-      parts o = do
-        succeeded <- o .:? "result"
-        status <- o .:? "status"
-        Reply <$> o .: "op" <*> o .: "id" <*> o .:? "values" .!= object [] <*> pure (status >>= toBoundedInteger) <*> pure (succeeded == Just False)
+      parts frame o = Reply frame <$> o .: "id" <*> o .:? "values" .!= object [] <*> pure (replyEnding frame)
 
 answers :: Reply -> CallId -> Bool
 answers reply (CallId ident) = replyId reply == ident
 
--- | How a call ended, by the status of ROS 2 (action_msgs\/msg\/GoalStatus): 4 succeeded, 5 cancelled, 6 aborted. rosbridge_suite
--- says in words why a goal was not pursued (@rosbridge_library\/internal\/actions.py@).
-outcomeOf :: Text -> Fields a -> Reply -> Outcome a
-outcomeOf name fields reply
-  | isFailure reply = (if "rejected" `Text.isInfixOf` why then Rejected else Unavailable) (Text.unpack why)
-  | otherwise = case replyStatus reply of
-    Just 5 -> Cancelled
-    Just 6 -> Aborted (Text.unpack text')
-    _ -> Succeeded (readContent name fields (replyValues reply))
-  where
-    why = case replyValues reply of
-      String t -> t
-      _ -> ""
-    text' = case replyValues reply of
-      Object o | Just (String t) <- KeyMap.lookup "text" o -> t
-      _ -> ""
+-- | What a program is told of an ending.
+outcomeOf :: Text -> Fields a -> Value -> Ending -> Outcome a
+outcomeOf name fields content ended = case ended of
+  WasDone -> Succeeded (readContent name fields content)
+  WasRejected why -> Rejected (Text.unpack why)
+  WasAborted why -> Aborted (Text.unpack why)
+  WasCancelled -> Cancelled
+  NotReached why -> Unavailable (Text.unpack why)
 
 readContent :: Text -> Fields a -> Value -> a
 readContent name fields = either (throw . Unreadable (Text.unpack name)) id . readFields fields
@@ -236,6 +225,14 @@ driveDistance distance = robotAction "drive_distance" [("distance", decimal dist
 -- | Turn by so many degrees (left is positive), by the robot's own action if it has one, and by 'turn' otherwise.
 rotateAngle :: Degrees -> Task (Outcome ())
 rotateAngle angle = robotAction "rotate_angle" [("angle", decimal (degreesToRadians angle)), ("max_rotation_speed", decimal 1.9)] `orElse` turn angle
+
+-- | Drive to a place round what stands in the way, and stand there facing so many degrees to the left of how the robot stood at the start. The
+-- place is in metres, as 'goTo' measures it. It is the action of Nav2, which the simulated robots have as well; nothing drives in its place.
+navigateTo :: Meters -> Meters -> Degrees -> Task (Outcome ())
+navigateTo ahead left facing = once (Velocity 0 0) >> robotAction "navigate_to" [("pose", record [("header", record [("frame_id", text "odom")]), ("pose", pose)])]
+  where
+    half = degreesToRadians facing / 2
+    pose = record [("position", record [("x", decimal ahead), ("y", decimal left)]), ("orientation", record [("z", decimal (sin half)), ("w", decimal (cos half))])]
 
 orElse :: Task (Outcome ()) -> Task () -> Task (Outcome ())
 orElse own substitute =

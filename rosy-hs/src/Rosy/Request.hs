@@ -1,5 +1,6 @@
 {-# LANGUAGE OverloadedStrings #-}
 {-# LANGUAGE PatternSynonyms #-}
+{-# LANGUAGE ScopedTypeVariables #-}
 {-# LANGUAGE ViewPatterns #-}
 
 -- |
@@ -19,15 +20,21 @@ module Rosy.Request
     readRequest,
     requestFrame,
     isReply,
+    shownReply,
+    Ending (..),
+    replyEnding,
     callPrefix,
     failedReply,
     hasSubstitute,
   )
 where
 
-import Data.Aeson (Value (..), object, (.:), (.=))
+import Control.Monad ((<=<))
+import Data.Aeson (Value (..), object, parseJSON, (.:), (.=))
 import qualified Data.Aeson.KeyMap as KeyMap
 import Data.Aeson.Types (Parser, parseMaybe)
+import Data.List (find)
+import Data.Maybe (fromMaybe)
 import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Channel (Action (..), Channel (..), Field (Structure), Kind (..), Message (..))
@@ -35,14 +42,67 @@ import Rosy.Core (replyChannelNumber)
 
 -- | What programs send, and what they receive.
 requestChannel, replyChannel :: Channel
-requestChannel = Channel (replyChannelNumber + 2) "Request" CommandChannel 0 Nothing (shownFrame "Request")
-replyChannel = Channel replyChannelNumber "Reply" EventChannel 0 Nothing (shownFrame "Reply")
+requestChannel = Channel (replyChannelNumber + 2) "Request" CommandChannel 0 Nothing (shownRequest <=< onlyFrame)
+replyChannel = Channel replyChannelNumber "Reply" EventChannel 0 Nothing (fmap shownReply . onlyFrame)
 
--- | A request or a reply as a trace shows it: its operation, whom it concerns, and its identifier.
-shownFrame :: String -> [Field] -> Maybe String
-shownFrame kind fields = case fields of
-  [Structure (Object o)] -> Just (unwords (kind : [Text.unpack t | key <- ["op", "action", "service", "id"], Just (String t) <- [KeyMap.lookup key o]]))
+onlyFrame :: [Field] -> Maybe Value
+onlyFrame fields = case fields of
+  [Structure frame] -> Just frame
   _ -> Nothing
+
+-- | A request as a trace shows it: its operation, whom it concerns, and its identifier.
+shownRequest :: Value -> Maybe String
+shownRequest frame = case frame of
+  Object o -> Just (unwords ("Request" : [Text.unpack t | key <- ["op", "action", "service", "id"], Just (String t) <- [KeyMap.lookup key o]]))
+  _ -> Nothing
+
+-- | A reply as traces and the page show it: who replies, how the call goes on, and why: @Reply dock Aborted no dock is in sight.@
+shownReply :: Value -> String
+shownReply frame = unwords (["Reply"] ++ names ++ [answer] ++ [why | why <- [reason], not (null why)])
+  where
+    names = case frame of
+      Object o -> [Text.unpack t | key <- ["action", "service"], Just (String t) <- [KeyMap.lookup key o]]
+      _ -> []
+    (answer, reason) = case replyEnding frame of
+      Nothing -> ("Feedback", "")
+      Just WasDone -> ("Succeeded", "")
+      Just (WasRejected why) -> ("Rejected", Text.unpack why)
+      Just (WasAborted why) -> ("Aborted", Text.unpack why)
+      Just WasCancelled -> ("Cancelled", "")
+      Just (NotReached why) -> ("Unavailable", Text.unpack why)
+
+-- | How a call ended, with the server's reason.
+data Ending
+  = WasDone
+  | WasRejected Text
+  | WasAborted Text
+  | WasCancelled
+  | NotReached Text
+  deriving (Eq, Show)
+
+-- | How a call ended, by its last reply; none for feedback. The status is that of ROS 2 (action_msgs\/msg\/GoalStatus): 5 cancelled, 6 aborted;
+-- rosbridge_suite says in words why a goal was not pursued (@rosbridge_library\/internal\/actions.py@).
+replyEnding :: Value -> Maybe Ending
+replyEnding frame = case frame of
+  Object o
+    | is "op" "action_feedback" o -> Nothing
+    | Just (Bool False) <- KeyMap.lookup "result" o -> Just ((if "rejected" `Text.isInfixOf` why o then WasRejected else NotReached) (why o))
+    | otherwise -> Just $ case KeyMap.lookup "status" o >>= parseMaybe parseJSON of
+      Just (5 :: Int) -> WasCancelled
+      Just 6 -> WasAborted (reason o)
+      _ -> WasDone
+  _ -> Nothing
+  where
+    is key value o = KeyMap.lookup key o == Just (String value)
+    why o = textOf (KeyMap.lookup "values" o)
+    -- kobuki_msgs/AutoDocking has a text; nav2_msgs/NavigateToPose an error message, before ROS 2 Kilted only a number.
+    reason o = case KeyMap.lookup "values" o of
+      Just (Object values) -> fromMaybe "" (find (not . Text.null) ([textOf (KeyMap.lookup key values) | key <- ["text", "error_msg"]] ++ [numbered n | Just (Number n) <- [KeyMap.lookup "error_code" values], n /= 0]))
+      _ -> ""
+    numbered n = "error " <> Text.pack (show (truncate n :: Int))
+    textOf found = case found of
+      Just (String t) -> t
+      _ -> ""
 
 -- | A frame of rosbridge v2 that a program sends: @send_action_goal@, @cancel_action_goal@ or @call_service@.
 pattern RequestAction :: Value -> Action

@@ -229,7 +229,7 @@ def _drive(config: Config, program: ProgramFile, options: argparse.Namespace) ->
         worker.ready()
         pending = None
         if options.record is not None:
-            pending = named_recording(options.record)
+            pending = named_recording(options.record, details)
         elif not options.no_record:
             pending = RecordingFolder(config.recordings).begin(details)
         log = pending.log if pending is not None else None

@@ -47,16 +47,24 @@ class RunRecorder:
         self._finishing.add(task)
         task.add_done_callback(self._finishing.discard)
 
+    async def recover(self) -> None:
+        """Makes the files of runs whose Rosy was killed, and says where they are."""
+        if any(self._path.glob("*.log")):
+            await self._convert()
+
     async def close(self) -> None:
         """Returns when all files are made, or it takes too long; what is left is made after the next run."""
         if self._finishing:
             await asyncio.wait(set(self._finishing), timeout=_CLOSE_TIMEOUT)
 
     async def _finish(self, pending: PendingRecording, ended: str, on_made: Callable[[Path], None]) -> None:
-        command = [sys.executable, "-m", "rosy_sim.recordings", str(self._path), pending.log.stem, ended]
+        if await self._convert(pending.log.stem, ended) == 0 and pending.path.exists():
+            on_made(pending.path)
+
+    async def _convert(self, *arguments: str) -> int:
+        command = [sys.executable, "-m", "rosy_sim.recordings", str(self._path), *arguments]
         # Ctrl-C in the terminal ends the service and not the recording.
         process = await asyncio.create_subprocess_exec(
             *command, stdin=asyncio.subprocess.DEVNULL, start_new_session=True
         )
-        if await process.wait() == 0 and pending.path.exists():
-            on_made(pending.path)
+        return await process.wait()

@@ -1,5 +1,6 @@
 """
-Process that makes the MCAP file of a run, and says where it is: ``python -m rosy_sim.recordings FOLDER NAME ENDED``.
+Process that makes the MCAP file of a run, and says where it is: ``python -m rosy_sim.recordings FOLDER NAME ENDED``;
+without a name those of runs that were killed.
 """
 
 from __future__ import annotations
@@ -13,15 +14,19 @@ from ..errors import BadInput
 from ..sentences.sentence import Sentence
 from ..sentences.terminal_text import neutralize_line
 from ..sentences.wording import in_terminal
-from .recording_folder import RecordingFolder, recorded_sentence
+from .recording_folder import Finished, RecordingFolder, recorded_sentence
 
 _LOWEST_PRIORITY = 19
 """setpriority(2)"""
 
 
-def main(folder: str, name: str, ended: str) -> int:
+def main(folder: str, name: str | None = None, ended: str = "") -> int:
     """Returns the exit status."""
     os.nice(_LOWEST_PRIORITY)
+    if name is None:
+        for path in RecordingFolder(Path(folder)).finish_abandoned():
+            _say(recorded_sentence(Finished(path, 0)))
+        return 0
     try:
         pending, details = RecordingFolder(Path(folder)).pending(name)
         finished = pending.finish(replace(details, ended=ended))

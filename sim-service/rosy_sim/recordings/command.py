@@ -22,6 +22,7 @@ from ..worker.blocking_worker import BlockingWorker
 from ..worlds.gallery import DEFAULT_WORLD, load_world, usable_world
 from .fit import Fit, fit, recorded_drive
 from .mcap_file import Recording, open_recording
+from .recording_folder import finish_left
 from .replay import Difference, replay, shown
 
 __all__ = ["DIFFERENT", "add_replay_options", "replay_recording"]
@@ -51,6 +52,9 @@ def replay_recording(
     Raises:
         BadInput: the recording or the room cannot be used, or the robot drove too little.
     """
+    finish_left(options.file)
+    if options.file.suffix == ".log":
+        options.file = options.file.with_suffix(".mcap")
     if options.fit:
         if options.program is not None:
             raise BadInput(tr("--fit looks at the recorded run alone and takes no program."))

@@ -1,13 +1,15 @@
 """
 Recordings as MCAP files (https://mcap.dev/spec), which Foxglove opens: written from the log of a run, and read again.
 
-Messages are JSON with a JSON schema, on the topics of the simulated robot. A channel says in its metadata where its
-messages come from (``source``); log times increase strictly, so the order of the lines is kept. The program is an
-attachment, what else is known of the run a metadata record.
+Messages are JSON with a JSON schema, on the topics of the simulated robot. Odometry has the header that ROS gives it,
+with the time of its line. A channel says in its metadata where its messages come from (``source``); log times increase
+strictly, so the order of the lines is kept. The program is an attachment, what else is known of the run a metadata
+record.
 """
 
 from __future__ import annotations
 
+import re
 import struct
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -24,7 +26,7 @@ from zstandard import ZstdError
 from ..errors import BadInput
 from ..files import refuse_newer
 from ..sentences.sentence import tr
-from ..wire.topics import COMMAND_TOPICS, SENSOR_TOPICS
+from ..wire.topics import COMMAND_TOPICS, ODOMETRY, SENSOR_TOPICS
 from .link_log import LinkLine, LinkMessage, LogEnd, Source, read_log, to_line, to_message
 from .mcap_records import RecordTooLarge, described, messages
 
@@ -57,6 +59,12 @@ _BROKEN = (
     OverflowError,
 )
 """What the MCAP library raises for files that are damaged."""
+
+
+_FRAME = ODOMETRY.constants[("child_frame_id",)]
+
+_HEADED = re.compile(rb'^\{"header":\{"stamp":\{[^{}]*\},[^{}]*\},"child_frame_id":"[^"]*",?')
+"""The beginning of a message with the header that ``_with_header`` gives it."""
 
 
 class Output(Protocol):
@@ -103,7 +111,8 @@ class Recording:
                 if source in get_args(Source):
                     found = cast(Source, source)
                     topic = channel.topic.removeprefix(_SENT) if found == "to_robot" else channel.topic
-                    yield LinkLine(message.log_time, found, to_line(found, LinkMessage(topic, message.data)))
+                    data = _HEADED.sub(b"{", message.data) if topic == ODOMETRY.topic else message.data
+                    yield LinkLine(message.log_time, found, to_line(found, LinkMessage(topic, data)))
 
 
 class _McapOutput:
@@ -146,6 +155,17 @@ class _Channels:
         return self._known[key]
 
 
+def _with_header(source: Source, message: LinkMessage, time: int) -> LinkMessage:
+    """Odometry with header and frames, whose time is that of the line in ns; other messages as they are."""
+    if source != "to_program" or message.topic != ODOMETRY.topic:
+        return message
+    sec, nanosec = divmod(time, 10**9)
+    header = {"stamp": {"sec": sec, "nanosec": nanosec}, "frame_id": ODOMETRY.header}
+    head = msgspec.json.encode({"header": header, "child_frame_id": _FRAME})
+    rest = message.data[1:] if message.data == b"{}" else b"," + message.data[1:]
+    return LinkMessage(message.topic, head[:-1] + rest)
+
+
 def _schema(value: Any) -> dict[str, Any]:
     """A JSON schema of messages like this one."""
     match value:
@@ -174,8 +194,8 @@ def write_recording(log: BinaryIO, output: Output, details: RunDetails) -> int:
         if isinstance(line, LogEnd):
             end = line
             break
-        message = to_message(line.source, line.text)
         time = max(line.time, time + 1)
+        message = _with_header(line.source, to_message(line.source, line.text), time)
         first = first or time
         count += 1
         writer.add_message(channels.channel(line.source, message), time, message.data, time, count)

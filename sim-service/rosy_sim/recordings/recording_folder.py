@@ -1,16 +1,18 @@
 """
 Folder of recordings with a bounded size: a new recording takes the place of the oldest ones.
 
-A run writes a log (``.log``), which becomes an MCAP file when the run is over. A log that was left behind, because
-Rosy was killed, becomes one after the next run.
+A run writes a log (``.log``), which becomes an MCAP file when the run is over. While the run lasts its process holds a
+lock on the file beside the log (``.run``). A log without a lock was left behind, because Rosy was killed: it becomes
+one when it is asked for, when Rosy starts, and after the next run.
 """
 
 from __future__ import annotations
 
 import contextlib
+import fcntl
+import os
 import re
-import time
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path
 
@@ -21,13 +23,18 @@ from ..errors import BadInput
 from ..sentences.sentence import Sentence, tr
 from .mcap_file import RunDetails, write_recording
 
-__all__ = ["MAX_FOLDER", "Finished", "PendingRecording", "RecordingFolder", "named_recording", "recorded_sentence"]
+__all__ = [
+    "MAX_FOLDER",
+    "Finished",
+    "PendingRecording",
+    "RecordingFolder",
+    "finish_left",
+    "named_recording",
+    "recorded_sentence",
+]
 
 MAX_FOLDER = 1_000_000_000
 """Bytes of all recordings together, about 200 hours of driving; a choice of ours."""
-
-_ABANDONED = 3600.0
-"""A log that was not written to for so many s belongs to no run, which writes 50 times a second."""
 
 _NAME_LENGTH = 40
 
@@ -40,6 +47,24 @@ class Finished:
     removed: int
 
 
+class _Lock:
+    """Lock on an open file, until it is released or nothing refers to it."""
+
+    def __init__(self, path: Path, content: bytes) -> None:
+        self._file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
+        fcntl.flock(self._file, fcntl.LOCK_EX)
+        os.write(self._file, content)
+
+    def release(self) -> None:
+        """As the end of the process does."""
+        if self._file >= 0:
+            os.close(self._file)
+            self._file = -1
+
+    def __del__(self) -> None:
+        self.release()
+
+
 @dataclass(frozen=True, slots=True)
 class PendingRecording:
     """A run that is being recorded: its log, and the file that is made of it."""
@@ -48,6 +73,8 @@ class PendingRecording:
     path: Path
     # None for a file that a person has named.
     folder: RecordingFolder | None = None
+    # Held while the run lasts; the system releases it when the process is gone.
+    lock: _Lock | None = field(default=None, repr=False, compare=False)
 
     def finish(self, details: RunDetails) -> Finished | None:
         """
@@ -85,12 +112,11 @@ class RecordingFolder:
             number = 0
             while True:
                 name = stem if number == 0 else f"{stem}-{number}"
-                pending = PendingRecording(self._folder / f"{name}.log", self._folder / f"{name}.mcap", self)
+                log, path = self._folder / f"{name}.log", self._folder / f"{name}.mcap"
                 number += 1
-                if not pending.path.exists():
-                    with contextlib.suppress(FileExistsError), pending.log.open("xb"):
-                        _details_of(pending.log).write_bytes(msgspec.json.encode(details))
-                        return pending
+                if not path.exists():
+                    with contextlib.suppress(FileExistsError), log.open("xb"):
+                        return PendingRecording(log, path, self, _locked_details(log, details))
         except OSError as error:
             raise BadInput(
                 tr("{path} cannot be written: {why}.", path=self._folder, why=error.strerror or "")
@@ -115,7 +141,7 @@ class RecordingFolder:
 
         Returns how many were removed; ``kept`` never is.
         """
-        self._finish_abandoned()
+        self.finish_abandoned()
         found = []
         for path in self._folder.glob("*.mcap"):
             with contextlib.suppress(FileNotFoundError):
@@ -131,27 +157,56 @@ class RecordingFolder:
                 removed += 1
         return removed
 
-    def _finish_abandoned(self) -> None:
-        for log in self._folder.glob("*.log"):
-            with contextlib.suppress(OSError, msgspec.DecodeError, BadInput):
-                if time.time() - log.stat().st_mtime > _ABANDONED:
-                    details = msgspec.json.decode(_details_of(log).read_bytes(), type=RunDetails)
-                    _convert(log, log.with_suffix(".mcap"), details)
+    def finish_abandoned(self) -> list[Path]:
+        """Make the files of logs that were left behind; returns those that there are now."""
+        made = [log.with_suffix(".mcap") for log in self._folder.glob("*.log") if _finish_abandoned(log)]
+        return [path for path in made if path.exists()]
 
 
-def named_recording(path: Path) -> PendingRecording:
+def finish_left(path: Path) -> None:
+    """
+    Make a recording whose run was killed, if its log is there: ``path`` is the log, or the file that it should become.
+    """
+    if path.suffix == ".log":
+        _finish_abandoned(path)
+    elif not path.exists():
+        _finish_abandoned(path.with_suffix(".log"))
+        _finish_abandoned(_log_of(path), path)
+
+
+def _finish_abandoned(log: Path, path: Path | None = None) -> bool:
+    """Make the file of a log if no run writes to it; whether that has been done."""
+    with contextlib.suppress(OSError, msgspec.DecodeError, BadInput), _details_of(log).open("rb") as described:
+        fcntl.flock(described, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        _convert(log, path or log.with_suffix(".mcap"), msgspec.json.decode(described.read(), type=RunDetails))
+        return True
+    return False
+
+
+def _locked_details(log: Path, details: RunDetails) -> _Lock:
+    """The file that keeps what is known of a run, with the lock of this process."""
+    return _Lock(_details_of(log), msgspec.json.encode(details))
+
+
+def _log_of(path: Path) -> Path:
+    """The log of a recording in a file that a person has named."""
+    return path.with_name(f".{path.name[:_NAME_LENGTH]}.log")
+
+
+def named_recording(path: Path, details: RunDetails) -> PendingRecording:
     """
     A recording in a file of this name.
 
     Raises:
         BadInput: the file cannot be written.
     """
-    log = path.with_name(f".{path.name[:_NAME_LENGTH]}.log")
+    log = _log_of(path)
     try:
         log.write_bytes(b"")
+        lock = _locked_details(log, details)
     except OSError as error:
         raise BadInput(tr("{path} cannot be written: {why}.", path=path, why=error.strerror or "")) from error
-    return PendingRecording(log.absolute(), path)
+    return PendingRecording(log.absolute(), path, None, lock)
 
 
 def recorded_sentence(finished: Finished) -> Sentence:

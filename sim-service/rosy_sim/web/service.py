@@ -120,6 +120,8 @@ class Service:
         """Keep a worker while the application runs."""
         supervision = [asyncio.create_task(self.worker.run())]
         supervision.append(asyncio.create_task(discover_robots(self.config.nearby, self.robots.set_nearby)))
+        if self.recorder is not None:
+            supervision.append(asyncio.create_task(self.recorder.recover()))
         if self.ros2_robot is not None:
             supervision.append(asyncio.create_task(self.ros2_robot.run()))
         if self.classroom is not None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any
 
 from ..robot_description import simulated
+from ..robots.shared.navigate_drive import NAVIGATE_ACTION
 from ..world.action_goals import ActionReply
 from .link_messages import SendActionGoal
 
@@ -22,8 +23,8 @@ _SUBSTITUTED = ("undock", "drive_distance", "rotate_angle")
 
 def action_name(action: str) -> str:
     """The name that the simulated robot gives an action which its description names; others stay as they are."""
-    named: str = simulated()["profiles"]["ros1"].get(action, action)
-    return named
+    named: dict[str, str] = {"navigate_to": NAVIGATE_ACTION, **simulated()["profiles"]["ros1"]}
+    return named.get(action, action)
 
 
 def has_substitute(goal: SendActionGoal) -> bool:

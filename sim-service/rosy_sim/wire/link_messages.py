@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Literal
+from typing import Any, Literal
 
 import msgspec
 
@@ -36,6 +36,7 @@ class SendActionGoal(msgspec.Struct, tag="send_action_goal", tag_field="op"):
 
     id: str
     action: str
+    args: dict[str, Any] = {}
 
 
 class CancelActionGoal(msgspec.Struct, tag="cancel_action_goal", tag_field="op"):

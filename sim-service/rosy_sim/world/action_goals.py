@@ -13,7 +13,11 @@ from typing import Any, Literal, NamedTuple
 
 from .robot import CANCELED, ActionDrive, Finished, Surroundings
 
-__all__ = ["ActionGoals", "ActionReply"]
+__all__ = ["ActionGoals", "ActionReply", "RejectedGoal"]
+
+
+class RejectedGoal(ValueError):
+    """A goal that makes no sense; the text says why."""
 
 
 class ActionReply(NamedTuple):
@@ -45,10 +49,10 @@ class ActionGoals:
     Of one robot.
 
     Args:
-        actions: what makes the drive of each action, by its name.
+        actions: what makes the drive of each action from the message of a goal, by the name of the action.
     """
 
-    def __init__(self, actions: Mapping[str, Callable[[], ActionDrive]]) -> None:
+    def __init__(self, actions: Mapping[str, Callable[[Mapping[str, Any]], ActionDrive]]) -> None:
         self._actions = actions
         self._pursued: _Pursued | None = None
         self._replies: dict[str, list[ActionReply]] = {}
@@ -67,15 +71,19 @@ class ActionGoals:
         """Whether a goal drives the robot."""
         return self._pursued is not None
 
-    def send(self, client: str, ident: str, action: str) -> bool:
-        """A client gives a goal. Whether the robot has such an action."""
+    def send(self, client: str, ident: str, action: str, goal: Mapping[str, Any]) -> bool:
+        """A client gives a goal, a message as JSON. Whether the robot has such an action."""
         make = self._actions.get(action)
         if make is None:
             self._reply(client, ActionReply("result", ident, action, "No action server available", succeeded=False))
         elif self._pursued is not None:
             self._reply(client, ActionReply("result", ident, action, "Action goal was rejected", succeeded=False))
         else:
-            self._pursued = _Pursued(client, ident, action, make())
+            try:
+                self._pursued = _Pursued(client, ident, action, make(goal))
+            except RejectedGoal as why:
+                text = f"Action goal was rejected: {why}"
+                self._reply(client, ActionReply("result", ident, action, text, succeeded=False))
         return make is not None
 
     def cancel(self, client: str, ident: str | None = None) -> bool:

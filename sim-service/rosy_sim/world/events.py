@@ -6,8 +6,8 @@ The numbers are those of the ROS messages (``protocol/README.md``, section 2).
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Literal, NamedTuple
+from dataclasses import dataclass, field
+from typing import Any, Literal, NamedTuple
 
 from .field_readers import Pose
 
@@ -89,11 +89,12 @@ class Move:
 
 @dataclass(frozen=True, slots=True)
 class GiveGoal:
-    """A ROS client gives a goal to one of the robot's own programs, an action."""
+    """A ROS client gives a goal, a message as JSON, to one of the robot's own programs, an action."""
 
     client: str
     ident: str
     action: str
+    goal: dict[str, Any] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)

@@ -131,6 +131,12 @@ class Surroundings(Protocol):
     def free_distance(self, direction: float, farthest: float) -> float:
         """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
 
+    def free_around(self, x: float, y: float) -> float:
+        """How far a robot at a point of the room is from the nearest surface, m; less than 0 when it touches one."""
+
+    def pose_in_room(self, x: float, y: float, theta: float) -> tuple[float, float, float]:
+        """A pose in the frame of the odometry as one in the room, as if the odometry were exact."""
+
 
 class Device(Protocol):
     """A sensor or an actuator with a state of its own, such as a battery."""
@@ -203,7 +209,7 @@ class Robot:
     motor_switch: str | None = None
     # What else is built in: each is made for a room.
     devices: tuple[Callable[[Arena], Device], ...] = ()
-    # The goals that its own programs pursue, by the name of the action.
-    actions: Mapping[str, Callable[[], ActionDrive]] = field(default_factory=dict)
+    # What pursues a goal, made from its message, by the name of the action.
+    actions: Mapping[str, Callable[[Mapping[str, Any]], ActionDrive]] = field(default_factory=dict)
     # Its laser scanner; None when it can have none.
     scanner: ScannerModel | None = None

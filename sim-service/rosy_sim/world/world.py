@@ -275,6 +275,15 @@ class World:
         """From the robot's centre to the first surface in a direction (rad, in the room), m; at most ``farthest``."""
         return self.obstacles.distance(self.x, self.y, direction, farthest)
 
+    def free_around(self, x: float, y: float) -> float:
+        """How far a robot at a point of the room is from the nearest surface, m; less than 0 when it touches one."""
+        return self.obstacles.clearance_at(x, y).free
+
+    def pose_in_room(self, x: float, y: float, theta: float) -> tuple[float, float, float]:
+        """A pose in the frame of the odometry as one in the room, as if the odometry were exact."""
+        ox, oy, otheta, c, s = self._origin
+        return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
+
     def _truth(self) -> Odometry:
         ox, oy, otheta, c, s = self._origin
         dx, dy = self.x - ox, self.y - oy
@@ -284,9 +293,7 @@ class World:
         """The odometry as a pose in the room; ``None`` when it is exact."""
         if self._odometry_model is None:
             return None
-        ox, oy, otheta, c, s = self._origin
-        x, y, theta = self._odometry_model.pose
-        return ox + c * x - s * y, oy + s * x + c * y, otheta + theta
+        return self.pose_in_room(*self._odometry_model.pose)
 
     def reset_odometry(self) -> None:
         """The odometry begins anew here, as after a command to reset it."""
@@ -344,8 +351,8 @@ class World:
                 self._lifted = self._lifted | wheels if up else self._lifted & ~wheels
             case Teleport(pose):
                 self._teleport(pose)
-            case GiveGoal(client, ident, name):
-                self.actions.send(client, ident, name)
+            case GiveGoal(client, ident, name, goal):
+                self.actions.send(client, ident, name, goal)
             case TakeBackGoal(client, ident):
                 if self.actions.cancel(client, ident):
                     self.drive(0.0, 0.0)

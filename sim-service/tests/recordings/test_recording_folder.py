@@ -9,8 +9,16 @@ import pytest
 from mcap.reader import make_reader
 
 from rosy_sim.errors import BadInput
+from rosy_sim.recordings.__main__ import main
 from rosy_sim.recordings.mcap_file import RunDetails, open_recording
-from rosy_sim.recordings.recording_folder import Finished, RecordingFolder, named_recording, recorded_sentence
+from rosy_sim.recordings.recording_folder import (
+    Finished,
+    PendingRecording,
+    RecordingFolder,
+    finish_left,
+    named_recording,
+    recorded_sentence,
+)
 
 DETAILS = RunDetails("main = simulate (Velocity 0.1 0)", "serial:/dev/kobuki", "pupils/anna's walk.hs")
 
@@ -44,7 +52,11 @@ def test_another_reader_finds_order_times_program_and_details(tmp_path: Path) ->
         assert found == [
             ("/rosy/to_program", 1000, b'{"op":"start","seed":3}'),
             ("/rosy/from_program", 1001, b'{"op":"ready"}'),
-            ("/odom", 1002, b'{"x":1}'),
+            (
+                "/odom",
+                1002,
+                b'{"header":{"stamp":{"sec":0,"nanosec":1002},"frame_id":"odom"},"child_frame_id":"base_footprint","x":1}',
+            ),
         ]
         assert [a.data.decode() for a in reader.iter_attachments()] == [DETAILS.program]
         assert [m.metadata for m in reader.iter_metadata()] == [
@@ -90,24 +102,64 @@ def test_a_run_that_never_reached_its_robot_leaves_nothing(tmp_path: Path) -> No
     assert list(tmp_path.iterdir()) == []
 
 
+def killed(pending: PendingRecording) -> PendingRecording:
+    """A recording whose process is gone in the middle of a line."""
+    pending.log.write_bytes(LOG[:-5] + b'\n1002 > {"op":"st')
+    assert pending.lock is not None
+    pending.lock.release()
+    return pending
+
+
 def test_a_log_that_a_crash_left_becomes_a_recording_after_the_next_run(tmp_path: Path) -> None:
     folder = RecordingFolder(tmp_path)
-    left = folder.begin(DETAILS)
-    left.log.write_bytes(LOG[:-5] + b'\n1002 > {"op":"st')
+    left = killed(folder.begin(DETAILS))
     running = folder.begin(DETAILS)
-    os.utime(left.log, (1, 1))
     recorded(folder)
     assert not left.log.exists()
     assert running.log.exists()
     with open_recording(left.path) as recording:
+        # The program is told no header.
+        assert [line.text for line in recording.lines() if b"odom" in line.text] == [
+            b'{"op":"publish","topic":"/odom","msg":{"x":1}}'
+        ]
         assert not recording.is_complete
         assert recording.details == DETAILS
         assert len(list(recording.lines())) == 3
 
 
+@pytest.mark.parametrize("suffix", [".log", ".mcap"])
+def test_a_recording_whose_run_was_killed_is_made_when_it_is_asked_for(tmp_path: Path, suffix: str) -> None:
+    left = killed(RecordingFolder(tmp_path).begin(DETAILS))
+    finish_left(left.log.with_suffix(suffix))
+    with open_recording(left.path) as recording:
+        assert recording.details == DETAILS
+    assert [path.name for path in tmp_path.iterdir()] == [left.path.name]
+
+
+def test_a_named_one_as_well(tmp_path: Path) -> None:
+    left = killed(named_recording(tmp_path / "my.mcap", DETAILS))
+    finish_left(left.path)
+    with open_recording(left.path) as recording:
+        assert recording.details == DETAILS
+
+
+def test_the_log_of_a_run_that_goes_on_is_left_alone(tmp_path: Path) -> None:
+    running = RecordingFolder(tmp_path).begin(DETAILS)
+    running.log.write_bytes(LOG)
+    finish_left(running.path)
+    assert running.log.exists()
+    assert not running.path.exists()
+
+
+def test_when_rosy_starts_those_that_were_left_are_made(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    left = killed(RecordingFolder(tmp_path).begin(DETAILS))
+    assert main(str(tmp_path)) == 0
+    assert f"The run is recorded in {left.path}." in capsys.readouterr().err
+
+
 def test_a_named_file_has_to_be_writable(tmp_path: Path) -> None:
     with pytest.raises(BadInput, match=r"nowhere/my\.mcap cannot be written: No such file or directory\."):
-        named_recording(tmp_path / "nowhere" / "my.mcap")
+        named_recording(tmp_path / "nowhere" / "my.mcap", DETAILS)
     (tmp_path / "file").touch()
     with pytest.raises(BadInput, match=r"file/recordings cannot be written: Not a directory\."):
         RecordingFolder(tmp_path / "file" / "recordings").begin(DETAILS)

@@ -34,7 +34,7 @@ def result(world: World, client: str = "me") -> ActionReply | None:
 
 def drive(dock: dict[str, float] | None, **room: Any) -> tuple[World, ActionReply | None]:
     world = hall(**({"dock": dock} if dock is not None else {}), **room)
-    world.actions.send("me", "1", DOCK_ACTION)
+    world.actions.send("me", "1", DOCK_ACTION, {})
     return world, result(world)
 
 
@@ -80,7 +80,7 @@ def test_it_says_why_it_does_not(dock: dict[str, float] | None, room: dict[str, 
 
 def test_a_goal_that_is_taken_back_stops_it() -> None:
     world = hall(dock=place(13, 10))
-    world.actions.send("me", "1", DOCK_ACTION)
+    world.actions.send("me", "1", DOCK_ACTION, {})
     world.integrate(2.0)
     assert world.v > 0
     assert world.actions.cancel("me", "1")
@@ -92,9 +92,9 @@ def test_a_goal_that_is_taken_back_stops_it() -> None:
 
 def test_a_second_goal_is_rejected_and_another_action_is_unknown() -> None:
     world = hall(dock=place(13, 10))
-    world.actions.send("me", "1", DOCK_ACTION)
-    world.actions.send("you", "2", DOCK_ACTION)
-    assert not world.actions.send("you", "3", "/fibonacci")
+    world.actions.send("me", "1", DOCK_ACTION, {})
+    world.actions.send("you", "2", DOCK_ACTION, {})
+    assert not world.actions.send("you", "3", "/fibonacci", {})
     assert not world.actions.cancel("you")
     assert [(reply.ident, reply.values, reply.succeeded) for reply in world.actions.take_replies("you")] == [
         ("2", "Action goal was rejected", False),

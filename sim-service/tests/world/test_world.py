@@ -21,7 +21,8 @@ from rosy_sim.robots.kobuki.facts import (
     RADIUS,
     WHEELBASE,
 )
-from rosy_sim.robots.kobuki.sensors import bumper_bits, wrapped
+from rosy_sim.robots.kobuki.sensors import bumper_bits
+from rosy_sim.robots.shared.places import wrapped
 from rosy_sim.world.arena import Arena, Pose, read_arena
 from rosy_sim.world.events import Lift, Press, Reading, Teleport, velocity
 from rosy_sim.world.motor_controller import MotorController, approach

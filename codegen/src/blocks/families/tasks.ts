@@ -477,6 +477,32 @@ export const tasks: readonly BlockSpec[] = [
     words: words.tasks.undock,
     tooltip: words.tasks.undocks,
   })),
+  call("step_navigate_to", "navigateTo", () => ({
+    sockets: [
+      {
+        name: "X",
+        words: words.tasks.navigateTo,
+        unit: words.tasks.metresAhead,
+        aria: words.tasks.metresAhead,
+        hint: words.tasks.number,
+      },
+      {
+        name: "Y",
+        words: "",
+        unit: words.tasks.metresLeft,
+        aria: words.tasks.metresLeft,
+        hint: words.tasks.number,
+      },
+      {
+        name: "Z",
+        words: words.tasks.facing,
+        unit: words.tasks.degreesUnit,
+        aria: words.tasks.facing,
+        hint: words.tasks.number,
+      },
+    ],
+    tooltip: words.tasks.navigates,
+  })),
   call("step_either_or", "eitherOr", () => ({
     sockets: [
       {name: "X", words: words.tasks.either, aria: words.tasks.oneStep, hint: words.tasks.task},

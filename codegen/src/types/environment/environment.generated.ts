@@ -410,6 +410,7 @@ export const generated = [
  "mkStdGen :: Int -> StdGen",
  "msum :: (Foldable t, MonadPlus m) => t (m a) -> m a",
  "mulVec :: Double -> Vec -> Vec",
+ "navigateTo :: Meters -> Meters -> Degrees -> Task (Outcome ())",
  "negVec :: Vec -> Vec",
  "normOrientation :: Orientation -> Orientation",
  "normRadians :: Radians -> Radians",

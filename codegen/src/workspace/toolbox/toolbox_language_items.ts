@@ -112,6 +112,10 @@ export const taskItems = perLanguage((): readonly ToolboxItem[] => [
 export const robotActionItems = perLanguage((): readonly ToolboxItem[] => [
   item(words.toolbox.motion.dock, make("step_dock")),
   item(words.toolbox.motion.undock, make("step_undock")),
+  item(
+    words.toolbox.motion.navigateTo,
+    make("step_navigate_to", {}, {X: num("2"), Y: num("1"), Z: num("0")}),
+  ),
   item(words.toolbox.motion.dockOutcome, make("step_bind", {}, {P: named("outcome"), X: ref("dock")})),
 ])
 

@@ -11,6 +11,7 @@ import {type ConsoleLine, isMinorEvent, ledNames, shownFrame} from "../../state/
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {quantityName} from "../../ui/descriptions.ts"
 import {namedMemory, quantities} from "../../values/quantities.ts"
+import {replySentence} from "../../values/reply_sentence.ts"
 import {measures, words} from "../../words/index.ts"
 import {TopicForms} from "./topic_forms.tsx"
 
@@ -105,8 +106,15 @@ function LineText({line}: {line: ConsoleLine}): VNode {
           {line.text === "bumper" ? words.blocked.withBumper : words.blocked.withoutBumper}
         </span>
       )
-    case "sensed":
-      return <code class="text">{line.text}</code>
+    case "sensed": {
+      const reply = replySentence(line.text)
+      if (reply === null) return <code class="text">{line.text}</code>
+      return (
+        <span class="text">
+          <code>{reply.name}</code> {reply.said}
+        </span>
+      )
+    }
   }
 }
 

@@ -238,10 +238,13 @@ export function addLine(
   return [...lines.slice(-maxLines + 1), {kind, text, time, count: 1} as ConsoleLine]
 }
 
-/// Events of the robot that the console shows on request only: the end of a contact, whether the robot is online, and distances, which come five
-/// times a second (channels of protocol/robots).
+/// Events of the robot that the console shows on request only: the end of a contact, whether the robot is online, distances, and how far a goal
+/// is, which come five times a second (channels of protocol/robots).
 export function isMinorEvent({kind, text}: Pick<ConsoleLine, "kind" | "text">): boolean {
-  return kind === "sensed" && /^Online$|^Offline$|^Ahead |^Scan | (?:Released|Floor|Ground)$/.test(text)
+  return (
+    kind === "sensed" &&
+    /^Online$|^Offline$|^Ahead |^Scan |^Reply \S+ Feedback$| (?:Released|Floor|Ground)$/.test(text)
+  )
 }
 
 /// protocol §2, `/mobile_base/commands/sound`; the names are the program's.

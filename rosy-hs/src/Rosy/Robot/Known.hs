@@ -27,7 +27,7 @@ kobuki :: Robot
 kobuki =
   Robot
     { robotName = "kobuki",
-      robotProfiles = [("ros1", [("prefix", "/mobile_base"), ("odometry", "/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_msgs"), ("dock", "/dock_drive_action"), ("dock_type", "{messages}/AutoDocking")]), ("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_ros_interfaces"), ("dock", "{prefix}/auto_docking_action"), ("dock_type", "{messages}/AutoDocking")])],
+      robotProfiles = [("ros1", [("prefix", "/mobile_base"), ("odometry", "/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_msgs"), ("dock", "/dock_drive_action"), ("dock_type", "{messages}/AutoDocking")]), ("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/commands/velocity"), ("messages", "kobuki_ros_interfaces"), ("dock", "{prefix}/auto_docking_action"), ("dock_type", "{messages}/AutoDocking"), ("navigate_to", "{prefix}/navigate_to_pose"), ("navigate_to_type", "nav2_msgs/NavigateToPose")])],
       robotMappings =
         [ Mapping buttonChannel "{prefix}/events/button" "{messages}/ButtonEvent" [At [Key "button"] AWhole, At [Key "state"] AWhole] [] [] Published,
           Mapping bumperChannel "{prefix}/events/bumper" "{messages}/BumperEvent" [At [Key "bumper"] AWhole, At [Key "state"] AWhole] [] [] Published,
@@ -132,7 +132,7 @@ create3 :: Robot
 create3 =
   Robot
     { robotName = "create3",
-      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "irobot_create_msgs"), ("dock", "{prefix}/dock"), ("dock_type", "{messages}/Dock"), ("undock", "{prefix}/undock"), ("undock_type", "{messages}/Undock"), ("drive_distance", "{prefix}/drive_distance"), ("drive_distance_type", "{messages}/DriveDistance"), ("rotate_angle", "{prefix}/rotate_angle"), ("rotate_angle_type", "{messages}/RotateAngle")])],
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "irobot_create_msgs"), ("dock", "{prefix}/dock"), ("dock_type", "{messages}/Dock"), ("undock", "{prefix}/undock"), ("undock_type", "{messages}/Undock"), ("drive_distance", "{prefix}/drive_distance"), ("drive_distance_type", "{messages}/DriveDistance"), ("rotate_angle", "{prefix}/rotate_angle"), ("rotate_angle_type", "{messages}/RotateAngle"), ("navigate_to", "{prefix}/navigate_to_pose"), ("navigate_to_type", "nav2_msgs/NavigateToPose")])],
       robotMappings =
         [ Mapping buttonChannel "{prefix}/interface_buttons" "{messages}/InterfaceButtons" [] [IsSet [Key "button_1", Key "is_pressed"] ATruth, IsSet [Key "button_power", Key "is_pressed"] ATruth, IsSet [Key "button_2", Key "is_pressed"] ATruth] [] Published,
           Mapping bumperChannel "{prefix}/hazard_detection" "{messages}/HazardDetectionVector" [] [HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_left", "bump_front_left"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] False ["bump_left", "bump_front_left", "bump_right", "bump_front_right"], HasEntry [Key "detections"] ([Key "type"], 1) [Key "header", Key "frame_id"] True ["bump_right", "bump_front_right"]] [] Published,
@@ -161,7 +161,7 @@ turtlebot3 :: Robot
 turtlebot3 =
   Robot
     { robotName = "turtlebot3",
-      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "turtlebot3_msgs")])],
+      robotProfiles = [("ros2", [("prefix", ""), ("odometry", "{prefix}/odom"), ("velocity", "{prefix}/cmd_vel"), ("messages", "turtlebot3_msgs"), ("navigate_to", "{prefix}/navigate_to_pose"), ("navigate_to_type", "nav2_msgs/NavigateToPose")])],
       robotMappings =
         [ Mapping buttonChannel "{prefix}/sensor_state" "{messages}/SensorState" [] [IsSet [Key "button"] (ABit 0), IsSet [Key "button"] (ABit 1)] [] Published,
           Mapping odometryChannel "{odometry}" "nav_msgs/Odometry" [At [Key "pose", Key "pose", Key "position", Key "x"] (ANumber 1), At [Key "pose", Key "pose", Key "position", Key "y"] (ANumber 1), Yaw [Key "pose", Key "pose", Key "orientation"], At [Key "twist", Key "twist", Key "linear", Key "x"] (ANumber 1), At [Key "twist", Key "twist", Key "angular", Key "z"] (ANumber 1)] [] [] Published,

@@ -1,7 +1,7 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
--- Description : A program on a robot's link that was frozen: what came meanwhile. Time is in the test's hands.
+-- Description : A program on a robot's link: its first tick, and what came while it was frozen. Time is in the test's hands.
 module Test.Robots.Absence (tests) where
 
 import Control.Concurrent.STM
@@ -20,9 +20,10 @@ import Test.Tasty.HUnit
 tests :: TestTree
 tests =
   testGroup
-    "a program that was frozen"
-    [ testCase "does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
-      testCase "hears everything where it was away for a moment only" (afterFreeze longestAbsence @?>= [press, position])
+    "a program on a robot's link"
+    [ testCase "that was frozen does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
+      testCase "that was away for a moment only hears everything" (afterFreeze longestAbsence @?>= [press, position]),
+      testCase "gets its first tick with its first step, as in the simulator, and the others from there on" (firstTick @?>= (1, Just True))
     ]
   where
     act @?>= expected = act >>= (@?= expected)
@@ -35,8 +36,30 @@ position = OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity 0 
 afterFreeze :: Double -> IO [Message]
 afterFreeze seconds = do
   time <- newTVarIO 0
-  due <- newTVarIO False
   queued <- newTVarIO [Connected]
+  (link, due, _) <- linkWith time queued
+  _ <- open link []
+  atomically (writeTVar due True)
+  step <- next link
+  for_ step (const (answer link noAnswer))
+  atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
+  maybe [] batchMessages <$> next link
+
+-- | How often the ticks of the clock have been started when the robot is there, and whether the first step has one.
+firstTick :: IO (Int, Maybe Bool)
+firstTick = do
+  (link, _, started) <- newTVarIO 0 >>= \time -> newTVarIO [Connected] >>= linkWith time
+  before <- readTVarIO started
+  _ <- open link []
+  after <- readTVarIO started
+  step <- next link
+  pure (after - before, batchTick <$> step)
+
+-- | A link to a robot of which these events are queued: whether its tick is due, and how often its clock was started.
+linkWith :: TVar Double -> TVar [RobotEvent] -> IO (Link, TVar Bool, TVar Int)
+linkWith time queued = do
+  due <- newTVarIO False
+  started <- newTVarIO 0
   control <- newRunControl (newGuard (Limits 0.7 pi Nothing) False)
   let robot =
         Connection
@@ -50,10 +73,5 @@ afterFreeze seconds = do
             unreadableMessages = pure noneUnreadable,
             velocityTopic = pure Nothing
           }
-  link <- realLink (Clock (readTVarIO time) (pure 0) due) 10 control robot
-  _ <- open link []
-  atomically (writeTVar due True)
-  step <- next link
-  for_ step (const (answer link noAnswer))
-  atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
-  maybe [] batchMessages <$> next link
+  link <- realLink (Clock (readTVarIO time) (pure 0) due (atomically (modifyTVar' started (+ 1)))) 10 control robot
+  pure (link, due, started)

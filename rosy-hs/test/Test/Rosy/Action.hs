@@ -75,6 +75,17 @@ tests =
       testCase "how it ends is a value" $
         map outcomes [result 5 (values []), result 6 (values ["text" .= ("stuck" :: Text)]), failed "Action goal was rejected", failed "No action server available"]
           @?= [["Say \"Cancelled\""], ["Say \"Aborted \\\"stuck\\\"\""], ["Say \"Rejected \\\"Action goal was rejected\\\"\""], ["Say \"Unavailable \\\"No action server available\\\"\""]],
+      testCase "a trace says in words what a server replied" $
+        map
+          shownReply
+          [ object ["op" .= ("action_feedback" :: Text), "action" .= ("dock" :: Text), "id" .= ident],
+            object ["op" .= ("action_result" :: Text), "action" .= ("dock" :: Text), "id" .= ident, "status" .= (4 :: Int), "result" .= True],
+            object ["op" .= ("action_result" :: Text), "action" .= ("dock" :: Text), "id" .= ident, "status" .= (6 :: Int), "result" .= True, "values" .= object ["text" .= ("stuck" :: Text)]],
+            object ["op" .= ("action_result" :: Text), "action" .= ("navigate_to" :: Text), "id" .= ident, "status" .= (6 :: Int), "result" .= True, "values" .= object ["error_code" .= (204 :: Int), "error_msg" .= ("" :: Text)]],
+            object ["op" .= ("action_result" :: Text), "action" .= ("/count" :: Text), "id" .= ident, "status" .= (0 :: Int), "result" .= False, "values" .= ("No action server available" :: Text)],
+            object ["op" .= ("service_response" :: Text), "service" .= ("/sum" :: Text), "id" .= ident, "result" .= True]
+          ]
+          @?= ["Reply dock Feedback", "Reply dock Succeeded", "Reply dock Aborted stuck", "Reply navigate_to Aborted error 204", "Reply /count Unavailable No action server available", "Reply /sum Succeeded"],
       testCase "it tells how far it is" $
         filter (/= goal) (commandsOf (task (call (callAction (Count 3)) callOptions {onFeedback = \(Counting n) -> Say (show n)}) (\(Button _ _) -> Done ())) [at 0 ticked, at 0.1 (frame "action_feedback" firstCall (values ["at" .= (2 :: Int)]))])
           @?= ["Say \"2\""],

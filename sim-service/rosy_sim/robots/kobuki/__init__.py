@@ -6,6 +6,7 @@ from ...world.events import Reading
 from ...world.robot import Robot
 from ..shared.dimensions import body_of, limits_of, scanner_of
 from ..shared.gyroscope import Gyroscope
+from ..shared.navigate_drive import NAVIGATE_ACTION, NavigateDrive
 from .connector import Connector
 from .dock_drive import DOCK_ACTION, DockDrive
 from .dock_receivers import DockReceivers
@@ -36,6 +37,6 @@ KOBUKI = Robot(
     },
     motor_switch="MotorPower",
     devices=(Gyroscope, Power, DockReceivers, Connector, LineSensor),
-    actions={DOCK_ACTION: DockDrive},
+    actions={DOCK_ACTION: DockDrive, NAVIGATE_ACTION: NavigateDrive},
     scanner=scanner_of("kobuki"),
 )

@@ -9,14 +9,15 @@ The texts are upstream's (kobuki_auto_docking, src/auto_docking_ros.cpp) where i
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 from ...world.arena import Pose
 from ...world.robot import ABORTED, SUCCEEDED, Driving, Finished, Surroundings
 from ...world.time_step import STEPS_PER_SECOND
+from ..shared.places import wrapped
 from .dock_receivers import sees_dock
 from .power import is_docked
-from .sensors import wrapped
 
 __all__ = ["DOCK_ACTION", "DockDrive"]
 
@@ -34,9 +35,9 @@ _TIME_LIMIT = 90 * STEPS_PER_SECOND
 
 
 class DockDrive:
-    """One attempt."""
+    """One attempt. A goal of AutoDocking has no fields."""
 
-    def __init__(self) -> None:
+    def __init__(self, _goal: Mapping[str, Any]) -> None:
         self._state = "FIND_STREAM"
         self._steps = 0
 

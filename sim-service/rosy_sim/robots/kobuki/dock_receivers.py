@@ -12,7 +12,7 @@ import math
 
 from ...world.arena import Arena, Pose
 from ...world.robot import Surroundings
-from .sensors import wrapped
+from ..shared.places import wrapped
 
 __all__ = ["DockReceivers", "sees_dock"]
 

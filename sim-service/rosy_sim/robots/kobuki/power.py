@@ -8,7 +8,7 @@ import math
 
 from ...world.arena import Arena
 from ...world.robot import Surroundings
-from .sensors import wrapped
+from ..shared.places import wrapped
 
 __all__ = ["Power"]
 

@@ -6,17 +6,16 @@ button n is bit n (kobuki_msgs, msg/SensorState.msg).
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterable, Mapping
 from functools import cache
 
 from ...world.arena import Arena
 from ...world.events import Reading
 from ...world.robot import SensorBits
-from ..shared.places import append_edge, over_hole
+from ..shared.places import append_edge, over_hole, wrapped
 from .facts import BUMPER_BEARINGS, BUMPER_HALF_WIDTH, CLIFF_POINTS, WHEEL_POINTS
 
-__all__ = ["bumper_bits", "cliff_bits", "edges", "hanging_wheels", "states", "wrapped"]
+__all__ = ["bumper_bits", "cliff_bits", "edges", "hanging_wheels", "states"]
 
 _ROUNDING = 1e-9
 """A contact exactly on the border of two zones must press both, rad."""
@@ -24,11 +23,6 @@ _ROUNDING = 1e-9
 _SIDE_BITS = (4, 2, 1)
 _WHEEL_BITS = (2, 1)
 _BUTTON_BITS = (1, 2, 4)
-
-
-def wrapped(angle: float) -> float:
-    """An angle brought into (-pi, pi]."""
-    return math.pi - (math.pi - angle) % math.tau
 
 
 def bumper_bits(contacts: Iterable[float], theta: float) -> int:

@@ -1,4 +1,4 @@
-"""Bits of sensors that have several places: which are over a hole, and which have changed."""
+"""Angles, and bits of sensors that have several places: which are over a hole, and which have changed."""
 
 from __future__ import annotations
 
@@ -7,7 +7,12 @@ import math
 from ...world.arena import Arena
 from ...world.events import Reading
 
-__all__ = ["append_edge", "over_hole"]
+__all__ = ["append_edge", "over_hole", "wrapped"]
+
+
+def wrapped(angle: float) -> float:
+    """An angle brought into (-pi, pi]."""
+    return math.pi - (math.pi - angle) % math.tau
 
 
 def over_hole(

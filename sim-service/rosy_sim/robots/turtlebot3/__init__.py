@@ -5,6 +5,7 @@ from __future__ import annotations
 from ...world.robot import Robot
 from ..shared.dimensions import body_of, limits_of, scanner_of
 from ..shared.gyroscope import Gyroscope
+from ..shared.navigate_drive import NAVIGATE_ACTION, NavigateDrive
 from .battery import LithiumBattery
 from .sensors import button_edges, hanging_wheels, no_bits, no_contacts, states
 
@@ -23,5 +24,6 @@ TURTLEBOT3 = Robot(
     outputs={"MotorPower": (1,)},
     motor_switch="MotorPower",
     devices=(Gyroscope, LithiumBattery),
+    actions={NAVIGATE_ACTION: NavigateDrive},
     scanner=scanner_of("turtlebot3"),
 )

@@ -233,7 +233,8 @@ class Lockstep:
         actions = self.world.actions
         if isinstance(request, SendActionGoal):
             self._goals[request.id] = request.action
-            if not actions.send(PROGRAM, request.id, action_name(request.action)) and not has_substitute(request):
+            is_known = actions.send(PROGRAM, request.id, action_name(request.action), request.args)
+            if not is_known and not has_substitute(request):
                 self.unavailable.append(request.action)
         elif isinstance(request, CancelActionGoal):
             self.cancel_goals(request.id)

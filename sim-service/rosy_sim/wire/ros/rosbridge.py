@@ -248,14 +248,16 @@ class RosbridgeClient:
     # One method per operation
 
     def _send_goal(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
-        action, ident = message.get("action"), message.get("id")
+        action, ident, goal = message.get("action"), message.get("id"), message.get("args", {})
         if not isinstance(action, str) or not isinstance(message.get("action_type"), str) or not isinstance(ident, str):
             self._report(reply, message, "a goal needs an id, an action and an action_type")
+        elif not isinstance(goal, dict):
+            self._report(reply, message, "the args of a goal are an object")
         elif ident in self._goals or len(self._goals) >= MAX_SUBSCRIPTIONS:
             self._report(reply, message, "a goal with this id is pursued, or there are too many goals")
         else:
             self._goals[ident] = (action, message.get("feedback") is True)
-            reply.goals.append(GiveGoal(self.name, ident, absolute_name(action)))
+            reply.goals.append(GiveGoal(self.name, ident, absolute_name(action), goal))
 
     def _cancel_goal(self, message: dict[str, Any], _now: float, reply: Reply) -> None:
         ident = message.get("id")

@@ -11,6 +11,7 @@ from collections import deque
 from collections.abc import Iterable
 
 from ....robots import ROBOTS
+from ....robots.shared.navigate_drive import NAVIGATE_ACTION
 from ....wire.channels import Values
 from ....wire.ros.actionlib import ACTIONLIB, KEPT_RESULTS, STATUS_STEPS, goal_of, reply_message, status_message
 from ....wire.ros.ros_messages import completed
@@ -22,8 +23,8 @@ from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
 
-_ACTIONS = frozenset(action for robot in ROBOTS.values() for action in robot.actions)
-"""Of any robot of the simulator."""
+_ACTIONS = frozenset(action for robot in ROBOTS.values() for action in robot.actions) - {NAVIGATE_ACTION}
+"""Those of any robot of the simulator that ROS 1 has as topics; ROS 1 has no Nav2."""
 
 MAX_CLIENTS = 20
 """Connections of one session."""
