@@ -315,7 +315,7 @@ main = simulate (f, drive 10)
   })
   expect(writtenNetwork(workspaceOf(openView(reader, text)))).toEqual({
     hasSimulate: true,
-    types: ["Mode", "Turn"],
+    types: ["Hit", "Mode", "Turn"],
     tasks: [{kind: "step", block: expect.any(String), name: "drive", turns: null, steps: [], result: null}],
     steps: [],
     functions: [

@@ -116,6 +116,8 @@ export type NetworkRefusal =
   | {readonly kind: "does-not-fit"; readonly why: string}
   /// The texts of these definitions are unfinished, or say what blocks cannot.
   | {readonly kind: "unfinished"; readonly names: readonly string[]}
+  /// What was written for a definition lacks something, or is no Haskell.
+  | {readonly kind: "unfinished-text"}
 
 export type NetworkEdit =
   /// `selects` is the definition that the learner looks at next.

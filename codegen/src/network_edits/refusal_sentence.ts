@@ -52,6 +52,8 @@ export function refusalSentence(refusal: NetworkRefusal): string {
       return say.notComposed
     case "unfinished":
       return say.unfinished(refusal.names.join(", "))
+    case "unfinished-text":
+      return say.unfinishedText
     default:
       return refusal.why
   }

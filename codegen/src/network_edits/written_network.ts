@@ -84,14 +84,14 @@ export function writtenNetwork(workspace: SavedWorkspace, session = new Inferenc
   }
 }
 
-/// The name of a type without parameters that is not only an event.
+/// The name of a type without parameters that is another name of a type, or not only an event.
 function rememberable({type, extraState = {}}: SavedBlock): readonly string[] {
   const constructors = objectsIn(extraState, "constructors")
   const [only, ...others] = constructors
   const tells = others.length > 0 || (only !== undefined && objectsIn(only, "fields").length > 0)
-  const isPlain =
-    type === "data" && !(Array.isArray(extraState.parameters) && extraState.parameters.length > 0)
-  return isPlain && tells && typeof extraState.name === "string" ? [extraState.name] : []
+  const isPlain = !(Array.isArray(extraState.parameters) && extraState.parameters.length > 0)
+  const isValue = type === "synonym" || (type === "data" && tells)
+  return isPlain && isValue && typeof extraState.name === "string" ? [extraState.name] : []
 }
 
 /// The names in each definition but its own, so that a helper is told from what could run.

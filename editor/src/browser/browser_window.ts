@@ -162,7 +162,11 @@ function isTextField(target: EventTarget | null): boolean {
 /// What a key means everywhere on the page; `null` when it means nothing here.
 function commandOf(event: KeyboardEvent, acts: ShortcutActions): (() => void) | null {
   const is = (name: keyof typeof pageKeys) => pageKeys[name].some(chord => isChord(event, chord))
-  if (is("run")) return acts.run
+  if (is("run")) {
+    // Where a definition is written, the program has not got it yet.
+    const form = event.target instanceof Element ? event.target.closest("form") : null
+    return form?.dataset["keys"] === "multiline" ? () => form.requestSubmit() : acts.run
+  }
   if (is("save")) return acts.save
   if (is("help")) {
     // In a text field it is a letter; and over a dialog no other opens.

@@ -148,6 +148,8 @@ export const sentences: Pick<
       `\`${name}\` berechnet \`${type}\` zusammen mit anderem, was es sendet. Trenne beides zuerst in den Blöcken.`,
     usedElsewhere: name => `Eine andere Definition benutzt \`${name}\`. Ändere zuerst diese.`,
     unfinished: names => `Im Text von \`${names}\` ist etwas unfertig. Schreibe es zuerst fertig.`,
+    unfinishedText:
+      "Das ist noch kein fertiges Haskell. Sieh dir Klammern, Anführungszeichen und Einrückung an.",
     noSuchStep: "Das ist kein Schritt, der hier geändert werden kann. Ändere ihn im Text.",
     onlyStep:
       "Das ist hier der einzige Schritt. Füge zuerst einen anderen hinzu, oder lösche, was darum herum steht.",

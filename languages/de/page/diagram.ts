@@ -81,6 +81,12 @@ export const diagram: typeof english = {
     noStep:
       "Diese beiden lassen sich nicht verbinden. Zieh einen Schritt auf einen anderen oder auf einen Pfeil.",
     actionsOf: name => `Was mit ${name} getan werden kann`,
+    equation: "Gleichung",
+    newDefinition: "Neue Definition",
+    definitionOf: name => `Definition von ${name}`,
+    write: "Schreiben",
+    writeHint: "Auch Strg und Eingabe",
+    otherDefinitions: "Auch definiert:",
     rename: "Umbenennen",
     duplicate: "Verdoppeln",
     remove: "Löschen",

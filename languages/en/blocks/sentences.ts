@@ -150,6 +150,7 @@ export const sentences = {
       `\`${name}\` computes \`${type}\` together with what else it sends. Write them apart in its blocks first.`,
     usedElsewhere: (name: string) => `Another definition uses \`${name}\`. Change that one first.`,
     unfinished: (names: string) => `Something in the text of \`${names}\` is unfinished. Finish it first.`,
+    unfinishedText: "This is not finished Haskell. Look at brackets, quotes and indentation.",
     noSuchStep: "This is no step that can be changed here. Change it in the text.",
     onlyStep: "It is the only step here. Add another one first, or delete what is around it.",
     insideItself: "A step cannot stand inside itself.",

@@ -145,6 +145,7 @@ export const sentences: Pick<
       `\`${name}\` calcula \`${type}\` junto con lo demás que envía. Sepáralos primero en los bloques.`,
     usedElsewhere: name => `Otra definición usa \`${name}\`. Cambia primero esa.`,
     unfinished: names => `Algo en el texto de \`${names}\` está sin terminar. Termínalo primero.`,
+    unfinishedText: "Esto aún no es Haskell completo. Mira los paréntesis, las comillas y la sangría.",
     noSuchStep: "Este no es un paso que se pueda cambiar aquí. Cámbialo en el texto.",
     onlyStep: "Es el único paso aquí. Añade antes otro, o borra lo que hay alrededor.",
     insideItself: "Un paso no puede estar dentro de sí mismo.",

@@ -82,6 +82,12 @@ export const diagram: typeof english = {
     noStep:
       "Ces deux-là ne peuvent pas être réunies. Fais glisser une étape sur une autre ou sur une flèche.",
     actionsOf: name => `Ce que l’on peut faire avec ${name}`,
+    equation: "Équation",
+    newDefinition: "Nouvelle définition",
+    definitionOf: name => `Définition de ${name}`,
+    write: "Écrire",
+    writeHint: "Aussi Ctrl et Entrée",
+    otherDefinitions: "Aussi défini :",
     rename: "Renommer",
     duplicate: "Dupliquer",
     remove: "Supprimer",

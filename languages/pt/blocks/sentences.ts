@@ -145,6 +145,7 @@ export const sentences: Pick<
       `\`${name}\` calcula \`${type}\` junto com o resto que envia. Separe-os primeiro nos blocos.`,
     usedElsewhere: name => `Outra definição usa \`${name}\`. Mude primeiro essa.`,
     unfinished: names => `Algo no texto de \`${names}\` está inacabado. Termine primeiro.`,
+    unfinishedText: "Isto ainda não é Haskell completo. Veja os parênteses, as aspas e a indentação.",
     noSuchStep: "Este não é um passo que se possa mudar aqui. Mude-o no texto.",
     onlyStep: "É o único passo aqui. Acrescente outro antes, ou apague o que está em volta.",
     insideItself: "Um passo não pode ficar dentro de si mesmo.",

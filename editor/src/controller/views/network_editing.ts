@@ -1,6 +1,12 @@
 /// Edits of the program in the diagram: what a connection would be, and the change of the text that an edit makes.
 
-import type {DeclaredType, NetworkAction, NetworkRefusal, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {
+  DeclaredType,
+  NetworkAction,
+  NetworkEdit,
+  NetworkRefusal,
+  WrittenNetwork,
+} from "@rosy/codegen/network-edits"
 import type {Store} from "../../browser/store.ts"
 import {changesBetween} from "../../program/text_changes.ts"
 import type {NetworkEditing, Proposal} from "../../views/diagram/editing.ts"
@@ -62,6 +68,14 @@ export function networkEditing(
     const title = options.length === 1 ? edit.stepActions[first.as] : edit.twoSteps(nameOf(from), nameOf(to))
     return {kind: "steps", title, options}
   }
+  const make = (outcome: NetworkEdit | null): string | null => {
+    if (outcome === null) return words.diagram.edit.misfits["not-here"]
+    if (!outcome.ok) return sentence(outcome.refusal)
+    editor.changeText(changesBetween(store.now.document.program.text, outcome.text))
+    editor.showBlocks()
+    if (outcome.selects !== undefined) show(outcome.selects)
+    return null
+  }
   const nameOf = ({type}: ConnectionEnd) => stepAt(written().tasks ?? [], type)?.name ?? type
   return {
     written,
@@ -102,19 +116,26 @@ export function networkEditing(
     },
     edit(action, declares) {
       editor.flush()
-      const outcome = tryOut(action, declares)
-      if (outcome === null) return words.diagram.edit.misfits["not-here"]
-      if (!outcome.ok) return sentence(outcome.refusal)
-      editor.changeText(changesBetween(store.now.document.program.text, outcome.text))
-      editor.showBlocks()
-      if (outcome.selects !== undefined) show(outcome.selects)
-      return null
+      return make(tryOut(action, declares))
+    },
+    definitions() {
+      const {view} = store.now.document
+      return view === null ? [] : network.definitionTexts(view)
+    },
+    define(name, text) {
+      editor.flush()
+      const {view} = store.now.document
+      return make(
+        parts.reader === null || view === null
+          ? null
+          : network.definitionEdit(parts.reader, view, name, text),
+      )
     },
   }
 }
 
-/// What a pupil's first programs remember.
-const plainTypes = ["Bool", "Int", "Double"]
+/// What a pupil's first programs remember, and where the robot was.
+const plainTypes = ["Bool", "Int", "Double", "Position", "Orientation"]
 
 function titleOf(connection: Connection): string {
   const say = words.diagram.edit

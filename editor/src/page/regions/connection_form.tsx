@@ -17,7 +17,16 @@ export interface Asked {
 }
 
 /// Asks for the name of what is new and how an event joins others, in the place where the connection was dropped.
-export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}): VNode {
+export function ConnectionForm({
+  asked,
+  close,
+  made,
+}: {
+  asked: Asked
+  close: () => void
+  /// A new function is there, with an empty place for what it sends.
+  made: (name: string) => void
+}): VNode {
   const controller = useController()
   const {proposal, at} = asked
   const [name, setName] = useState(proposal.name)
@@ -49,7 +58,9 @@ export function ConnectionForm({asked, close}: {asked: Asked; close: () => void}
     const action = actionOf(whole, name.trim(), joining)
     const refused = controller.diagram.editing()?.edit(action, declares) ?? null
     setWhy(refused)
-    if (refused === null) close()
+    if (refused !== null) return
+    close()
+    if (action.kind === "connect-sensor-to-actuator") made(action.name)
   }
   return (
     <form

@@ -14,6 +14,7 @@ import type {Point} from "../../views/diagram/layout/geometry.ts"
 import {type ConnectionEnd, newMemory} from "../../views/diagram/network/connections.ts"
 import type {NodeKind} from "../../views/diagram/network/network.ts"
 import {words} from "../../words/index.ts"
+import {type AskedDefinition, below} from "./definition_editor.tsx"
 
 const endsOf = (kind: NodeKind, types: readonly string[]) =>
   types.map((type): ConnectionEnd => ({kind, type}))
@@ -112,7 +113,7 @@ export function useConnectionDrag(
 }
 
 /// What can be done with the function that is selected in any view.
-export function FunctionActions(): VNode | null {
+export function FunctionActions({open: write}: {open: (asked: AskedDefinition) => void}): VNode | null {
   const controller = useController()
   const written = useWritten()
   const now = usePageState(s => selectedDefinition(s.document.program, s.selected))
@@ -150,6 +151,13 @@ export function FunctionActions(): VNode | null {
       <b>{found.name}</b>
       {asks === null ? (
         <>
+          <button
+            type="button"
+            class="plain small"
+            onClick={event => write({name: found.name, at: below(event.currentTarget)})}
+          >
+            {edit.equation}
+          </button>
           {button(edit.rename, () => open("rename"))}
           {button(edit.duplicate, () => open("duplicate"))}
           {button(

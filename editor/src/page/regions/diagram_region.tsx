@@ -12,6 +12,7 @@ import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
 import {ActuatorConflicts} from "./actuator_conflicts.tsx"
 import {type Asked, ConnectionForm} from "./connection_form.tsx"
+import {type AskedDefinition, DefinitionEditor, isOnlyView, OtherDefinitions} from "./definition_editor.tsx"
 import {
   ConnectionMenu,
   FunctionActions,
@@ -26,7 +27,6 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
-  const [moves, setMoves] = useState(false)
   const {outcome} = usePageState(s => s.diagram)
   // What is computed is shown as it was reported last; functions and tasks as the text has them, unless it is broken.
   const isStale = usePageState(
@@ -39,10 +39,13 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [asked, setAsked] = useState<Asked | null>(null)
   const [steps, setSteps] = useState<AskedSteps | null>(null)
   const [refused, setRefused] = useState<string | null>(null)
+  const [definition, setDefinition] = useState<AskedDefinition | null>(null)
+  const isAlone = usePageState(isOnlyView)
   const ask = (proposal: Proposal, at: Point) => {
     setRefused(proposal.kind === "refused" ? proposal.why : null)
     setAsked(proposal.kind === "offered" ? {proposal, at} : null)
     setSteps(null)
+    setDefinition(null)
     if (proposal.kind !== "steps") return
     // What can mean one thing only is done at once.
     const [only, ...others] = proposal.options
@@ -61,54 +64,9 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   return (
     <section class="region diagram" aria-label={diagram.title} hidden={!shown} style={style}>
       <RegionHeader region="diagram" />
-      <div class="diagram-tools">
-        <button type="button" class="plain small" aria-pressed={asList} onClick={() => setAsList(!asList)}>
-          {diagram.asList}
-        </button>
-        <button
-          type="button"
-          class="plain small"
-          title={diagram.tidyHint}
-          onClick={() => controller.diagram.tidy()}
-        >
-          {diagram.tidy}
-        </button>
-        {!asList && (
-          <button
-            type="button"
-            class="plain small"
-            title={diagram.moveHint}
-            aria-pressed={moves}
-            onClick={() => {
-              controller.diagram.setMoving(!moves)
-              setMoves(!moves)
-            }}
-          >
-            {diagram.move}
-          </button>
-        )}
-        <span class="space" />
-        <button
-          type="button"
-          class="plain small"
-          aria-label={diagram.saveSvg}
-          title={diagram.saveSvg}
-          onClick={() => controller.diagram.saveSvg()}
-        >
-          SVG
-        </button>
-        <button
-          type="button"
-          class="plain small"
-          aria-label={diagram.savePng}
-          title={diagram.savePng}
-          onClick={() => controller.diagram.savePng()}
-        >
-          PNG
-        </button>
-      </div>
+      <DiagramTools asList={asList} setAsList={setAsList} />
       <NodeQuestions />
-      <FunctionActions />
+      <FunctionActions open={setDefinition} />
       <StepActions asList={asList} />
       {asList && shown && <ConnectionMenu ask={ask} />}
       {/* Haskell's names and arrows go from left to right in every language. */}
@@ -133,7 +91,19 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         )}
         {!asList && <Palette side="actuators" isEmpty={outcome === "empty"} />}
         {asked !== null && (
-          <ConnectionForm key={asked.proposal.title} asked={asked} close={() => setAsked(null)} />
+          <ConnectionForm
+            key={asked.proposal.title}
+            asked={asked}
+            close={() => setAsked(null)}
+            made={name => isAlone && setDefinition({name, at: asked.at})}
+          />
+        )}
+        {definition !== null && (
+          <DefinitionEditor
+            key={definition.name ?? ""}
+            asked={definition}
+            close={() => setDefinition(null)}
+          />
         )}
         {steps !== null && (
           <StepChoice key={steps.proposal.title} asked={steps} close={() => setSteps(null)} />
@@ -146,7 +116,63 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
         )}
       </div>
       <StandingBeside />
+      <OtherDefinitions open={setDefinition} />
     </section>
+  )
+}
+
+/// What can be done with the drawing as a whole.
+function DiagramTools({asList, setAsList}: {asList: boolean; setAsList: (asList: boolean) => void}): VNode {
+  const controller = useController()
+  const [moves, setMoves] = useState(false)
+  const {diagram} = words
+  return (
+    <div class="diagram-tools">
+      <button type="button" class="plain small" aria-pressed={asList} onClick={() => setAsList(!asList)}>
+        {diagram.asList}
+      </button>
+      <button
+        type="button"
+        class="plain small"
+        title={diagram.tidyHint}
+        onClick={() => controller.diagram.tidy()}
+      >
+        {diagram.tidy}
+      </button>
+      {!asList && (
+        <button
+          type="button"
+          class="plain small"
+          title={diagram.moveHint}
+          aria-pressed={moves}
+          onClick={() => {
+            controller.diagram.setMoving(!moves)
+            setMoves(!moves)
+          }}
+        >
+          {diagram.move}
+        </button>
+      )}
+      <span class="space" />
+      <button
+        type="button"
+        class="plain small"
+        aria-label={diagram.saveSvg}
+        title={diagram.saveSvg}
+        onClick={() => controller.diagram.saveSvg()}
+      >
+        SVG
+      </button>
+      <button
+        type="button"
+        class="plain small"
+        aria-label={diagram.savePng}
+        title={diagram.savePng}
+        onClick={() => controller.diagram.savePng()}
+      >
+        PNG
+      </button>
+    </div>
   )
 }
 

@@ -1,6 +1,6 @@
 /// Interface of the edits that the diagram makes in a program.
 
-import type {DeclaredType, NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
+import type {DeclaredType, DefinitionText, NetworkAction, WrittenNetwork} from "@rosy/codegen/network-edits"
 import type {Connection, ConnectionEnd, Joining} from "./network/connections.ts"
 import type {StepOption} from "./network/step_options.ts"
 
@@ -27,4 +27,8 @@ export interface NetworkEditing {
   propose(from: ConnectionEnd, to: ConnectionEnd): Proposal
   /// Makes an edit, as one undo step, and shows the definition that it is about; the reason if that is impossible.
   edit(action: NetworkAction, declares?: DeclaredType): string | null
+  /// All definitions of the program.
+  definitions(): readonly DefinitionText[]
+  /// Writes another text for a definition, or a new one when `name` is null, as one undo step; the reason if that is impossible.
+  define(name: string | null, text: string): string | null
 }
