@@ -58,7 +58,7 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
       idea: "what a function takes",
       word: "acepta",
       not: /(función|que|no|Una|Esto) tom[ae]n?\b(?! (su|este))/,
-      files: /^(docs|protocol|examples)/,
+      files: /^(docs|examples)|sentences\.json$/,
     },
     {
       idea: "goal of a room",
@@ -80,7 +80,7 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
       idea: "goal of a room",
       word: "meta",
       not: /[Oo]bjetivo/,
-      files: /(words\/pt\/\w+\.ts|sentences\/pt\.json)$/,
+      files: /^languages\/pt\/(page|blocks|sentences)/,
     },
     {
       idea: "to turn",
@@ -88,7 +88,7 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
       not: /\b([Vv]ire|[Vv]ira|virada)\b/,
       files: /(blocks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/,
     },
-    {idea: "pressed bumper", word: "pressionado", not: /apertado/, files: /^(docs|editor|examples)/},
+    {idea: "pressed bumper", word: "pressionado", not: /apertado/, files: /^(docs|examples)|^languages\/pt\/page/},
     {idea: "to run a program", word: "executar", not: /não roda\b|Rodar|programa rod/},
     {idea: "sensor", word: "sensor", not: /dois sentidos/},
   ],
@@ -108,7 +108,7 @@ test("Portuguese is that of Brazil, and says so where the language is chosen", (
 })
 
 // The texts of commands are written for terminals, whose encodings and fonts may lack these characters.
-const french = translatedTexts("fr").filter(({file}) => !file.startsWith("scripts/"))
+const french = translatedTexts("fr").filter(({file}) => !file.includes("/help/"))
 
 test.each([
   ["’ between letters", /\p{L}'\p{L}/u],

@@ -46,11 +46,6 @@ export function translatedTexts(tag: Translation): readonly TranslatedText[] {
   const lessons = readdirSync(`${root}examples/lessons`, {withFileTypes: true})
     .filter(entry => entry.isDirectory())
     .map(({name}) => `examples/lessons/${name}/texts/${tag}.json`)
-  const folders = [
-    `codegen/src/words/${tag}`,
-    `editor/src/words/${tag}`,
-    `docs/${tag}`,
-    `scripts/help/${tag}`,
-  ]
-  return [...folders.flatMap(filesBelow), ...lessons, `protocol/sentences/${tag}.json`].flatMap(textsOf)
+  const folders = [`languages/${tag}`, `docs/${tag}`]
+  return [...folders.flatMap(filesBelow), ...lessons, `languages/${tag}/sentences.json`].flatMap(textsOf)
 }
