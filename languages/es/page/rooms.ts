@@ -70,7 +70,7 @@ export const world: Words["world"] = {
     movable: (most: number) =>
       `En una sala se pueden empujar como mucho ${most} cosas. Elimina una o dibuja una que no se mueva.`,
     lines: (most: number) =>
-      `Una sala puede tener como mucho ${most} líneas. Borra una antes de dibujar otra.`,
+      `Una sala puede tener como mucho ${most} líneas. Elimina una antes de dibujar otra.`,
     goals: (most: number) =>
       `Una sala puede tener como mucho ${most} objetivos. Elimina uno antes de añadir otro.`,
   },

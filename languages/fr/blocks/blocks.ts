@@ -327,7 +327,7 @@ export const blocks: Pick<
     navigateTo: "trouver un chemin vers",
     facing: "orienté à",
     navigates:
-      "Va à un endroit en contournant ce qui gêne, puis se tourne comme demandé : 0 est comme au départ, 90 à gauche. La mesure part de là où le programme a commencé. Donne un nom au résultat pour savoir si cela a marché : Succeeded (), Aborted, Unavailable. Exemple : trouver un chemin vers 2 m devant, 1 m à gauche.",
+      "Va à un endroit en contournant ce qui gêne, puis se tourne comme demandé : 0 est comme au départ, 90 à gauche. La mesure part de là où le programme a commencé. Donne un nom au résultat pour savoir si cela a marché : Succeeded (), Aborted, Unavailable. Exemple : trouver un chemin vers 2 m devant, 1 m à gauche.",
     curve: "avancer et tourner de",
     untilAnObstacle: "degrés par seconde jusqu’à un choc ou un bord",
     degreesASecond: "degrés par seconde",

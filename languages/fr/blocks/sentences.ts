@@ -147,7 +147,7 @@ export const sentences: Pick<
     usedElsewhere: name => `Une autre définition utilise \`${name}\`. Change d’abord celle-là.`,
     unfinished: names => `Le texte de \`${names}\` n’est pas terminé. Termine-le d’abord.`,
     unfinishedText:
-      "Ce n'est pas encore du Haskell complet. Regarde les parenthèses, les guillemets et l'indentation.",
+      "Ce n’est pas encore du Haskell complet. Regarde les parenthèses, les guillemets et l’indentation.",
     noSuchStep: "Ce n’est pas une étape que l’on peut modifier ici. Modifie-la dans le texte.",
     onlyStep: "C’est la seule étape ici. Ajoutes-en d’abord une autre, ou supprime ce qui l’entoure.",
     insideItself: "Une étape ne peut pas être à l’intérieur d’elle-même.",

@@ -44,7 +44,7 @@ export const toolbox: Words["toolbox"] = {
     goTo: "aller à l’endroit 1 m devant, 0,5 m à gauche",
     dock: "aller dans la station de charge",
     undock: "quitter la station de charge",
-    navigateTo: "trouver un chemin vers l'endroit 2 m devant, 1 m à gauche",
+    navigateTo: "trouver un chemin vers l’endroit 2 m devant, 1 m à gauche",
     dockOutcome: "aller dans la station et nommer le résultat",
     curve: "avancer en courbe jusqu’à un choc ou un bord",
     eitherOr: "soit ceci soit cela, au hasard",

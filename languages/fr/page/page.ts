@@ -360,7 +360,7 @@ export const page: Omit<
       "no dock is in sight": "aucune station en vue",
       "something is in the way": "quelque chose est sur le chemin",
       "it took too long": "cela a duré trop longtemps",
-      "no way leads there": "aucun chemin n'y mène",
+      "no way leads there": "aucun chemin n’y mène",
     },
   },
   blocked: {

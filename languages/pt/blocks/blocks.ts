@@ -321,7 +321,7 @@ export const blocks: Pick<
     navigateTo: "ache um caminho até",
     facing: "virado a",
     navigates:
-      "Vai até um lugar contornando o que está no caminho e vira como pedido: 0 é como no início, 90 à esquerda. Mede-se de onde o programa começou. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ache um caminho até 2 m à frente, 1 m à esquerda.",
+      "Vai até um lugar contornando o que está no caminho e gira como pedido: 0 é como no início, 90 à esquerda. Mede-se de onde o programa começou. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ache um caminho até 2 m à frente, 1 m à esquerda.",
     curve: "ande e gire",
     untilAnObstacle: "graus por segundo até uma batida ou uma beira",
     degreesASecond: "graus por segundo",
