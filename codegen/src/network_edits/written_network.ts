@@ -44,7 +44,7 @@ export interface WrittenNetwork {
   readonly tasks: readonly WrittenTask[] | null
   /// The definitions that can be a step of a task as they are.
   readonly steps: readonly string[]
-  /// Whether the places of `simulate` are known; else nothing is said of what runs.
+  /// Whether the places of `simulate` are known; else it is unknown what runs.
   readonly hasSimulate: boolean
 }
 
@@ -88,13 +88,13 @@ export function writtenNetwork(workspace: SavedWorkspace, session = new Inferenc
 function rememberable({type, extraState = {}}: SavedBlock): readonly string[] {
   const constructors = objectsIn(extraState, "constructors")
   const [only, ...others] = constructors
-  const tells = others.length > 0 || (only !== undefined && objectsIn(only, "fields").length > 0)
+  const hasContent = others.length > 0 || (only !== undefined && objectsIn(only, "fields").length > 0)
   const isPlain = !(Array.isArray(extraState.parameters) && extraState.parameters.length > 0)
-  const isValue = type === "synonym" || (type === "data" && tells)
+  const isValue = type === "synonym" || (type === "data" && hasContent)
   return isPlain && isValue && typeof extraState.name === "string" ? [extraState.name] : []
 }
 
-/// The names in each definition but its own, so that a helper is told from what could run.
+/// The names in each definition but its own, which distinguish a helper from what could run.
 function usesIn(tops: readonly SavedBlock[]): ReadonlySet<string> {
   const used = new Set<string>()
   for (const top of tops) {

@@ -56,7 +56,7 @@ function usedBy(piece: Piece): ReadonlySet<string> {
     tokens(code)
       .filter(({kind}) => kind !== "comment" && kind !== "string")
       .map(({start, end}) => code.slice(start, end))
-      .filter(said => !bound.has(said)),
+      .filter(name => !bound.has(name)),
   )
 }
 
@@ -94,8 +94,8 @@ function isInstanceOf(piece: Piece, needed: ReadonlySet<string>, definitions: re
   if (piece.declaration?.kind !== "instance") return false
   const {head} = piece.declaration
   const own = new Set(definitions.flatMap(({names}) => names))
-  const said = tokens(head).map(({start, end}) => head.slice(start, end))
-  return said.some(name => own.has(name) && needed.has(name))
+  const texts = tokens(head).map(({start, end}) => head.slice(start, end))
+  return texts.some(name => own.has(name) && needed.has(name))
 }
 
 function headItems(text: string): readonly {readonly item: Item; readonly text: string}[] {
@@ -107,15 +107,15 @@ const isLanguage = (text: string) => /^\{-#\s*LANGUAGE\b/i.test(text)
 /// The language pragmas, and the imports of which a name is used, or which may bring any name.
 function neededHead(text: string, needed: ReadonlySet<string>): readonly string[] {
   const qualifiers = new Set([...needed].map(name => name.slice(0, Math.max(0, name.lastIndexOf(".")))))
-  return headItems(text).flatMap(({item, text: said}) => {
-    if (item.kind === "pragma") return isLanguage(said) ? [said] : []
+  return headItems(text).flatMap(({item, text: itemText}) => {
+    if (item.kind === "pragma") return isLanguage(itemText) ? [itemText] : []
     if (item.kind !== "import") return []
-    const [found] = importsIn(said)
+    const [found] = importsIn(itemText)
     if (found === undefined || found.module === "Rosy") return []
     const isUsed =
       qualifiers.has(found.as) ||
       (!found.qualified && (found.only === undefined || [...found.only].some(name => needed.has(name))))
-    return isUsed ? [said] : []
+    return isUsed ? [itemText] : []
   })
 }
 
@@ -180,10 +180,16 @@ function inserted(text: string, clip: string, definitions: readonly string[], ow
       : `${before}${before === "" || before.endsWith("\n\n") ? "" : "\n"}${added}\n\n${text.slice(at)}`
   const items = headItems(text)
   const lacking = headItems(clip)
-    .filter(({item, text: said}) => item.kind === "import" || (item.kind === "pragma" && isLanguage(said)))
-    .filter(({text: said}) => !items.some(other => other.text === said))
-  const pragmas = lacking.filter(({item}) => item.kind === "pragma").map(({text: said}) => `${said}\n`)
-  const imports = lacking.filter(({item}) => item.kind === "import").map(({text: said}) => `${said}\n`)
+    .filter(
+      ({item, text: itemText}) => item.kind === "import" || (item.kind === "pragma" && isLanguage(itemText)),
+    )
+    .filter(({text: itemText}) => !items.some(other => other.text === itemText))
+  const pragmas = lacking
+    .filter(({item}) => item.kind === "pragma")
+    .map(({text: itemText}) => `${itemText}\n`)
+  const imports = lacking
+    .filter(({item}) => item.kind === "import")
+    .map(({text: itemText}) => `${itemText}\n`)
   const lastImport = items.findLast(({item}) => item.kind === "import" || item.kind === "module")?.item
   if (imports.length === 0) return pragmas.join("") + body
   const firstDefinition = items.find(({item}) => item.kind === "declaration")?.item.start ?? at

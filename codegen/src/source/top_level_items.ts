@@ -190,10 +190,10 @@ export function lex(
   }
 
   for (const [i, t] of tokens.entries()) {
-    const said = text.slice(t.start, t.end)
+    const word = text.slice(t.start, t.end)
     if (inModule) {
       open?.tokens.push(t)
-      if (said === "where") {
+      if (word === "where") {
         inModule = false
         margin = undefined
         close()
@@ -201,8 +201,8 @@ export function lex(
       continue
     }
     const standing = t.kind === "pragma" || t.kind === "directive"
-    if (margin === undefined && !standing && said !== "module") {
-      if (said === "{") {
+    if (margin === undefined && !standing && word !== "module") {
+      if (word === "{") {
         close()
         const last = tokens[tokens.length - 1] ?? t
         items.push({
@@ -218,12 +218,12 @@ export function lex(
       }
       margin = t.firstOnLine ? t.column : columnOf(text, lineStartOf(text, t.start), t.start)
       close()
-      open = {start: t.start, kind: said === "import" ? "import" : "declaration", tokens: [t]}
+      open = {start: t.start, kind: word === "import" ? "import" : "declaration", tokens: [t]}
       continue
     }
     const starts =
       t.kind === "directive" ||
-      (t.firstOnLine && t.column <= (margin ?? 0) && (open === undefined || !continues.has(said))) ||
+      (t.firstOnLine && t.column <= (margin ?? 0) && (open === undefined || !continues.has(word))) ||
       open === undefined
     if (!starts) {
       open?.tokens.push(t)
@@ -236,8 +236,8 @@ export function lex(
     const kind: ItemKind =
       t.kind === "pragma" || t.kind === "directive"
         ? t.kind
-        : said === "import" || said === "module"
-          ? said
+        : word === "import" || word === "module"
+          ? word
           : "declaration"
     open = {start: t.start, kind, tokens: [t]}
     inModule = kind === "module" && items.every(item => item.kind !== "declaration" && item.kind !== "import")
@@ -296,20 +296,20 @@ function nameOf(
   tokens: readonly LayoutToken[],
   hasUnicodeSyntax: boolean,
 ): {name: string; signature: boolean; type: boolean} {
-  const said = (i: number): string => wordOf(text, tokens[i], hasUnicodeSyntax)
-  const named = (name: string, next: number) => ({name, signature: said(next) === "::", type: false})
+  const word = (i: number): string => wordOf(text, tokens[i], hasUnicodeSyntax)
+  const named = (name: string, next: number) => ({name, signature: word(next) === "::", type: false})
   const noHead = {name: "", signature: false, type: false}
   // A type for several operators at once belongs to none of them.
-  if (said(0) === "(" && said(2) === ")" && isSymbol(said(1)))
-    return said(3) === "," ? noHead : named(said(1), 3)
-  const head = said(0)
+  if (word(0) === "(" && word(2) === ")" && isSymbol(word(1)))
+    return word(3) === "," ? noHead : named(word(1), 3)
+  const head = word(0)
   if (["data", "newtype", "type"].includes(head))
-    return {name: /^\p{Lu}/u.test(said(1)) ? said(1) : "", signature: false, type: true}
+    return {name: /^\p{Lu}/u.test(word(1)) ? word(1) : "", signature: false, type: true}
   if (keywords.has(head)) return noHead
   const operator = operatorDefined(text, tokens, hasUnicodeSyntax)
   if (operator !== undefined) return {name: operator, signature: false, type: false}
   const isName = tokens[0]?.kind === "word" && /^[\p{Ll}\p{Lo}_]/u.test(head)
-  return isName && said(1) !== "," && said(1) !== "@" ? named(head, 1) : noHead
+  return isName && word(1) !== "," && word(1) !== "@" ? named(head, 1) : noHead
 }
 
 /// The text of a token; empty for none.
@@ -343,13 +343,13 @@ function operatorDefined(
   let bracketed: string | undefined
   let closed: number | undefined
   for (const [i, t] of tokens.entries()) {
-    const said = wordOf(text, t, hasUnicodeSyntax)
-    if ("([{".includes(said)) depth++
-    else if (")]}".includes(said)) {
+    const word = wordOf(text, t, hasUnicodeSyntax)
+    if ("([{".includes(word)) depth++
+    else if (")]}".includes(word)) {
       depth--
       if (depth === 0) closed ??= i
-    } else if (depth === 0 && (said === "=" || said === "|" || said === "::"))
-      return said !== "::" && closed !== undefined && closed < i - 1 ? bracketed : undefined
+    } else if (depth === 0 && (word === "=" || word === "|" || word === "::"))
+      return word !== "::" && closed !== undefined && closed < i - 1 ? bracketed : undefined
     else if (depth === 0 || (depth === 1 && closed === undefined && text[tokens[0]?.start ?? 0] === "(")) {
       const operator = i === 0 ? undefined : operatorAt(text, t, tokens[i + 1])
       if (operator !== undefined && depth === 0) return operator
@@ -361,14 +361,14 @@ function operatorDefined(
 
 /// With a space behind it, a symbol is an operator; without, a mark on the pattern that follows.
 function operatorAt(text: string, t: LayoutToken, next: LayoutToken | undefined): string | undefined {
-  const said = text.slice(t.start, t.end)
-  if (said === "`" && next !== undefined) {
+  const word = text.slice(t.start, t.end)
+  if (word === "`" && next !== undefined) {
     const name = text.slice(next.start, next.end)
     return /^[\p{Ll}\p{Lo}_]/u.test(name) ? name : undefined
   }
   const isOperator =
-    t.kind === "symbol" && isSymbol(said) && !said.startsWith(":") && !/^(?:<-|->|\\|@|~)$/.test(said)
-  return isOperator && /\s/.test(text[t.end] ?? " ") ? said : undefined
+    t.kind === "symbol" && isSymbol(word) && !word.startsWith(":") && !/^(?:<-|->|\\|@|~)$/.test(word)
+  return isOperator && /\s/.test(text[t.end] ?? " ") ? word : undefined
 }
 
 function lineStartOf(text: string, at: number): number {

@@ -77,8 +77,8 @@ def why_firing(run: RecordedRun, number: int) -> Answer:
     if firing is None:
         return Answer([Link(Sentence("not-known-before", since=run.known_since), run.known_since)], run.known_since)
     time = run.time_of(firing)
-    said = Sentence("gave", function=firing.function, time=time, values=shown_inputs(firing), gave=firing.gave)
-    return _with_causes(run, firing, [Link(said, time, number), *taken_branches(run, firing)], time)
+    sentence = Sentence("gave", function=firing.function, time=time, values=shown_inputs(firing), gave=firing.gave)
+    return _with_causes(run, firing, [Link(sentence, time, number), *taken_branches(run, firing)], time)
 
 
 def why_memory(run: RecordedRun, kind: str, time: float) -> Answer:
@@ -101,13 +101,13 @@ def why_event(run: RecordedRun, text: str, time: float) -> Answer:
     since, sender, takers = found
     links = [Link(Sentence("sensed", time=since, value=text), since)]
     if sender is not None:
-        said = Sentence("sent", time=since, function=sender.function, value=text, values=shown_inputs(sender))
-        links = [Link(said, since, sender.n)]
+        sentence = Sentence("sent", time=since, function=sender.function, value=text, values=shown_inputs(sender))
+        links = [Link(sentence, since, sender.n)]
     if not takers:
         links.append(Link(Sentence("nothing-ran"), since))
     for firing in takers:
-        said = Sentence("gave", function=firing.function, time=since, values=[], gave=firing.gave, cause=firing.n)
-        links.append(Link(said, since, firing.n))
+        sentence = Sentence("gave", function=firing.function, time=since, values=[], gave=firing.gave, cause=firing.n)
+        links.append(Link(sentence, since, firing.n))
     return Answer(links, since, takers if sender is None else [sender, *takers])
 
 

@@ -12,7 +12,7 @@ from .why import Link
 __all__ = ["MAX_BRANCHES", "branch_link", "taken_branches"]
 
 MAX_BRANCHES = 2
-"""Branches that an answer tells of one firing: as many as a learner reads beside the rest. A choice of ours."""
+"""Branches in an answer about one firing: as many as a learner reads beside the rest. A choice of ours."""
 
 _IDS: dict[str, SentenceId] = {
     "equation": "matched-equation",
@@ -31,7 +31,7 @@ def taken_branches(run: RecordedRun, firing: Firing) -> list[Link]:
 
 def branch_link(branch: Branch, firing: Firing, time: float) -> Link:
     """That a firing took a branch."""
-    # A local definition is told by its own name.
+    # A local definition has its own name.
     name = branch.definitions[-1]
     number = branch.number if branch.kind in ("equation", "case") else None
     return Link(Sentence(_IDS[branch.kind], function=name, value=branch.text, number=number), time, firing.n)

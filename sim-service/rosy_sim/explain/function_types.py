@@ -51,10 +51,10 @@ def written_memories(graph: msgspec.Raw | bytes) -> dict[str, str]:
     return {spelled: name for spelled, (name, *others) in written.items() if not others}
 
 
-def with_synonyms(said: Sentence, memories: dict[str, str]) -> Sentence:
+def with_synonyms(sentence: Sentence, memories: dict[str, str]) -> Sentence:
     """A sentence with memories as the program writes their types. See ``written_memories``."""
-    types = [memories.get(kind, kind) for kind in said.types]
-    return msgspec.structs.replace(said, type=memories.get(said.type, said.type), types=types)
+    types = [memories.get(kind, kind) for kind in sentence.types]
+    return msgspec.structs.replace(sentence, type=memories.get(sentence.type, sentence.type), types=types)
 
 
 def _as_run_tells(spelled: str) -> str:

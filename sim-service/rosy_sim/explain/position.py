@@ -23,7 +23,7 @@ from .why import Link
 __all__ = ["MAX_STRETCHES", "Way", "stretches"]
 
 MAX_STRETCHES = 3
-"""Stretches that an answer tells: as many sentences as a learner reads at once. A choice of ours."""
+"""Stretches in an answer: as many sentences as a learner reads at once. A choice of ours."""
 
 
 class Way(NamedTuple):
@@ -53,17 +53,17 @@ def stretches(run: RecordedRun, time: float) -> Way:
     # The robot stood before its first command.
     while all_of_it and all_of_it[0].stands and placed is None and run.known_since == 0:
         del all_of_it[0]
-    told = all_of_it[-MAX_STRETCHES:]
-    links = [_link(one, max(begin, one.sent[0].time)) for one in reversed(told)]
-    if told and len(told) < len(all_of_it):
-        since = told[0].sent[0].time
+    shown = all_of_it[-MAX_STRETCHES:]
+    links = [_link(one, max(begin, one.sent[0].time)) for one in reversed(shown)]
+    if shown and len(shown) < len(all_of_it):
+        since = shown[0].sent[0].time
         links.append(Link(Sentence("followed-others", since=since), since))
     elif placed is not None:
         links.append(Link(Sentence("placed", time=placed), placed))
     elif links and run.known_since > 0:
         links.append(Link(Sentence("not-known-before", since=run.known_since), run.known_since))
-    firings = [one.sent[-1].firing for one in told]
-    return Way(links, told[-1].sent[-1] if told else None, [firing for firing in firings if firing is not None])
+    firings = [one.sent[-1].firing for one in shown]
+    return Way(links, shown[-1].sent[-1] if shown else None, [firing for firing in firings if firing is not None])
 
 
 def _all(run: RecordedRun, begin: float, until: float) -> Iterator[_Stretch]:
@@ -100,7 +100,7 @@ def _link(stretch: _Stretch, since: float) -> Link:
     firing = stretch.sent[-1].firing
     if stretch.stands or firing is None:
         return Link(Sentence("stood", since=since, until=stretch.end), since, firing.n if firing is not None else None)
-    said = Sentence(
+    sentence = Sentence(
         "followed",
         since=since,
         until=stretch.end,
@@ -110,7 +110,7 @@ def _link(stretch: _Stretch, since: float) -> Link:
     )
     slowest, fastest = min(stretch.sent, key=_strength).value, max(stretch.sent, key=_strength).value
     if slowest != fastest:
-        said = Sentence(
+        sentence = Sentence(
             "followed-changes",
             since=since,
             until=stretch.end,
@@ -118,4 +118,4 @@ def _link(stretch: _Stretch, since: float) -> Link:
             cause=firing.n,
             values=[slowest, fastest],
         )
-    return Link(said, since, firing.n)
+    return Link(sentence, since, firing.n)

@@ -11,7 +11,7 @@ from collections import deque
 from typing import NamedTuple
 
 from ..wire.firing import Firing
-from .recorded_step import RecordedStep, ShownCommand, StepContent, ToldContent
+from .recorded_step import EncodedContent, RecordedStep, ShownCommand, StepContent
 from .values import inside, written
 
 __all__ = ["MAX_FIRINGS", "RecordedRun", "SentCommand"]
@@ -73,7 +73,12 @@ class RecordedRun:
         self.add(time, content, is_overridden=is_overridden, is_placed=is_placed)
 
     def add(
-        self, time: float, content: StepContent | ToldContent, *, is_overridden: bool = False, is_placed: bool = False
+        self,
+        time: float,
+        content: StepContent | EncodedContent,
+        *,
+        is_overridden: bool = False,
+        is_placed: bool = False,
     ) -> None:
         """Append a step."""
         if self._until is not None and time > self._until + 1e-9:

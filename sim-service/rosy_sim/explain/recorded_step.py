@@ -1,7 +1,7 @@
 """
 Recorded step: what a program did in one step of an observed run.
 
-The firings of most steps are never asked about: a step that a page records keeps them as the program told them, and
+The firings of most steps are never asked about: a step that a page records keeps them as the program sent them, and
 reads them when a question gets to it.
 """
 
@@ -14,7 +14,7 @@ from typing import NamedTuple
 from ..wire.firing import Firing, count_firings, read_firings
 from ..world.events import VELOCITY_CHANNEL, Command
 
-__all__ = ["RecordedStep", "ShownCommand", "StepContent", "ToldContent", "commands_of_step"]
+__all__ = ["EncodedContent", "RecordedStep", "ShownCommand", "StepContent", "commands_of_step"]
 
 
 class ShownCommand(NamedTuple):
@@ -47,15 +47,15 @@ class StepContent:
         return self.firings[0].n if self.firings else -1
 
 
-class ToldContent:
-    """The same of ``settled``: its firings as they were told, the events that were sensed, and the commands."""
+class EncodedContent:
+    """The same of ``settled``: its firings as they were sent, the events that were sensed, and the commands."""
 
-    __slots__ = ("_commands", "_firings", "_sensed", "_sent", "_told", "count", "is_empty")
+    __slots__ = ("_commands", "_encoded", "_firings", "_sensed", "_sent", "count", "is_empty")
 
-    def __init__(self, told: bytes, sensed: list[str], sent: list[Command]) -> None:
-        self.count = count_firings(told)
+    def __init__(self, encoded: bytes, sensed: list[str], sent: list[Command]) -> None:
+        self.count = count_firings(encoded)
         self.is_empty = not (self.count or sensed or sent)
-        self._told = told
+        self._encoded = encoded
         self._sensed = sensed
         self._sent = sent
         # None until something asks.
@@ -64,10 +64,10 @@ class ToldContent:
 
     @property
     def firings(self) -> list[Firing]:
-        """The firings; none when what was told is no list of firings."""
+        """The firings; none when what was sent is no list of firings."""
         if self._firings is None:
-            self._firings = read_firings(self._told)
-            self._told = b""
+            self._firings = read_firings(self._encoded)
+            self._encoded = b""
         return self._firings
 
     @property
@@ -93,7 +93,7 @@ class RecordedStep:
     """A step with its time, s."""
 
     time: float
-    content: StepContent | ToldContent
+    content: StepContent | EncodedContent
     # Since when the safety rules drove instead of the program, s; None when the program drove.
     overridden_since: float | None = None
     # A hand had put the robot in another place since the step before.
@@ -113,17 +113,17 @@ def commands_of_step(firings: list[Firing], commands: list[Command]) -> list[Sho
     if velocities == sum(command.channel == VELOCITY_CHANNEL for command in commands):
         return from_firings
     given = deque(from_firings)
-    told: list[ShownCommand] = []
+    ordered: list[ShownCommand] = []
     for command in commands:
         if command.channel != VELOCITY_CHANNEL:
             continue
         while given and given[0].channel != VELOCITY_CHANNEL:
-            told.append(given.popleft())
+            ordered.append(given.popleft())
         if given and _velocity(given[0].value) == command.values:
-            told.append(given.popleft())
+            ordered.append(given.popleft())
         elif command.values == (0.0, 0.0):
-            told.append(ShownCommand(VELOCITY_CHANNEL, "Velocity 0.0 0.0"))
-    return told + list(given)
+            ordered.append(ShownCommand(VELOCITY_CHANNEL, "Velocity 0.0 0.0"))
+    return ordered + list(given)
 
 
 def _velocity(value: str) -> tuple[float, ...]:

@@ -51,8 +51,8 @@ def why_not_taken(
     for firing in reversed(ran):
         if asked in firing.branches:
             time = run.time_of(firing)
-            said = Sentence("did-take", function=firing.function, time=time, values=shown_inputs(firing))
-            return [Link(said, time, firing.n)]
+            sentence = Sentence("did-take", function=firing.function, time=time, values=shown_inputs(firing))
+            return [Link(sentence, time, firing.n)]
     around: Branch | None = asked
     while around is not None:
         choice = choice_of(branches, around)
@@ -65,14 +65,14 @@ def why_not_taken(
     of_program = [one for one in functions if one.name == name]
     if of_program and not any(firing.function == name for firing in ran):
         return [why_not_run(run, functions, name, window)]
-    said = Sentence("not-reached", function=asked.definitions[-1], since=window.start, until=window.end)
-    return [outside(run, window) or Link(said, window.end)]
+    sentence = Sentence("not-reached", function=asked.definitions[-1], since=window.start, until=window.end)
+    return [outside(run, window) or Link(sentence, window.end)]
 
 
 def _other_taken(run: RecordedRun, firing: Firing, taken: Branch) -> list[Link]:
     time = run.time_of(firing)
-    said = Sentence("gave", function=firing.function, time=time, values=shown_inputs(firing), gave=firing.gave)
-    return [Link(said, time, firing.n), branch_link(taken, firing, time)]
+    sentence = Sentence("gave", function=firing.function, time=time, values=shown_inputs(firing), gave=firing.gave)
+    return [Link(sentence, time, firing.n), branch_link(taken, firing, time)]
 
 
 def _parent(branches: Sequence[Branch], inner: Branch) -> Branch | None:

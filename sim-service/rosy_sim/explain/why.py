@@ -36,10 +36,10 @@ def sending(run: RecordedRun, sent: SentCommand) -> Link:
         ended_by = ending(run, sent)
         if ended_by is None:
             return Link(Sentence("stopped", time=sent.time, value=sent.value), sent.time)
-        said = Sentence("stopped-by", time=sent.time, value=sent.value, other=ended_by.function, cause=ended_by.n)
-        return Link(said, sent.time, ended_by.n)
-    said = Sentence("sent", time=sent.time, function=firing.function, value=sent.value, values=shown_inputs(firing))
-    return Link(said, sent.time, firing.n)
+        sentence = Sentence("stopped-by", time=sent.time, value=sent.value, other=ended_by.function, cause=ended_by.n)
+        return Link(sentence, sent.time, ended_by.n)
+    sentence = Sentence("sent", time=sent.time, function=firing.function, value=sent.value, values=shown_inputs(firing))
+    return Link(sentence, sent.time, firing.n)
 
 
 def ending(run: RecordedRun, stop: SentCommand) -> Firing | None:
@@ -97,8 +97,8 @@ def remembering(run: RecordedRun, kind: str, writer: Firing) -> tuple[Link, Firi
     if first is None:
         return Link(Sentence("from-start", type=kind, value=value), 0.0), writer
     since = run.time_of(first)
-    said = Sentence("remembered", type=kind, value=value, since=since, other=first.function, cause=first.n)
-    return Link(said, since, first.n), first
+    sentence = Sentence("remembered", type=kind, value=value, since=since, other=first.function, cause=first.n)
+    return Link(sentence, since, first.n), first
 
 
 def _unwritten(taken: Taken, time: float) -> Link:

@@ -41,7 +41,7 @@ TICK = 0.1
 
 class FunctionType(NamedTuple):
     """
-    A function of ``simulate`` with its inputs and outputs, as a check's ``graph`` tells them.
+    A function of ``simulate`` with its inputs and outputs, as in the ``graph`` of a check.
 
     ``task`` has the names of all functions of its task, none for a function outside of tasks; ``is_start`` is one that
     runs once, at the beginning of the task.
@@ -110,11 +110,11 @@ def why_not_sent(run: RecordedRun, functions: Sequence[FunctionType], name: str,
     ]
     for one in reversed(sent):
         if one.firing is not None and one.firing.function == name:
-            said = Sentence("did-send", function=name, value=one.value, time=one.time)
-            return _replaced(run, one) or Link(said, one.time, one.firing.n)
+            sentence = Sentence("did-send", function=name, value=one.value, time=one.time)
+            return _replaced(run, one) or Link(sentence, one.time, one.firing.n)
     time, firing = ran[-1]
-    said = Sentence("gave", function=name, time=time, values=shown_inputs(firing), gave=firing.gave)
-    return Link(said, time, firing.n)
+    sentence = Sentence("gave", function=name, time=time, values=shown_inputs(firing), gave=firing.gave)
+    return Link(sentence, time, firing.n)
 
 
 def why_no_effect(run: RecordedRun, sent: SentCommand, limits: RobotLimits) -> Link:
@@ -127,7 +127,7 @@ def why_no_effect(run: RecordedRun, sent: SentCommand, limits: RobotLimits) -> L
 
 
 def hindrance(run: RecordedRun, sent: SentCommand, limits: RobotLimits) -> Link | None:
-    """What keeps the robot from doing what it was told; None when nothing is known to."""
+    """What keeps the robot from following its command; None when nothing is known to."""
     return _overridden(run, sent) or _beyond(sent, limits) or _hindered(run, sent)
 
 
@@ -138,10 +138,10 @@ def why_not_received(run: RecordedRun, functions: Sequence[FunctionType], event:
     takers = [f.name for f in functions if any(_takes(taken, event) for taken in f.inputs)]
     if not sent:
         senders = [f.name for f in functions if any(_takes(given, event) for given in f.outputs)]
-        said = Sentence("no-sender", type=event)
+        sentence = Sentence("no-sender", type=event)
         if senders:
-            said = Sentence("never-sent", type=event, functions=senders, since=window.start, until=window.end)
-        return Link(said, window.end)
+            sentence = Sentence("never-sent", type=event, functions=senders, since=window.start, until=window.end)
+        return Link(sentence, window.end)
     last, sender = sent[-1]
     if not takers:
         return Link(Sentence("no-taker", function=sender.function, type=event, time=last), last, sender.n)
@@ -186,8 +186,8 @@ def _ended_task(run: RecordedRun, name: str, before: list[tuple[float, Firing]],
     task = before[-1][1].task
     for time, firing in run.firings():
         if firing.task == task and time <= window.start and any(given.to == "done" for given in firing.gave):
-            said = Sentence("task-ended", function=name, time=time, other=firing.function, cause=firing.n)
-            return Link(said, time, firing.n)
+            sentence = Sentence("task-ended", function=name, time=time, other=firing.function, cause=firing.n)
+            return Link(sentence, time, firing.n)
     return None
 
 
@@ -203,8 +203,8 @@ def _waiting_task(run: RecordedRun, functions: Sequence[FunctionType], name: str
         return None
     if any(firing.function in mates for time, firing in run.firings() if time <= window.end + 1e-9):
         return None
-    said = Sentence("task-waits", function=name, until=window.end)
-    return Link(said, window.end)
+    sentence = Sentence("task-waits", function=name, until=window.end)
+    return Link(sentence, window.end)
 
 
 def _finished_start(functions: Sequence[FunctionType], name: str, before: list[tuple[float, Firing]]) -> Link | None:
@@ -244,8 +244,8 @@ def _lacking(run: RecordedRun, functions: Sequence[FunctionType], name: str, win
                 continue
             earlier = [time for time in times if time < window.start]
             last = earlier[-1] if earlier else None
-            said = Sentence("lacks", function=name, types=kinds, since=window.start, until=window.end, time=last)
-            return Link(said, window.start if last is None else last)
+            sentence = Sentence("lacks", function=name, types=kinds, since=window.start, until=window.end, time=last)
+            return Link(sentence, window.start if last is None else last)
     return None
 
 
@@ -254,10 +254,10 @@ def _last_known(run: RecordedRun, name: str, before: list[tuple[float, Firing]],
         time, firing = before[-1]
         later = next((t for t, f in run.firings() if f.function == name and t > window.end), None)
         if firing.cause.by == "tick" and later is not None and later < time + 1.5 * TICK:
-            said = Sentence("ticks", function=name, time=time, until=later)
-            return Link(said, time, firing.n)
-        said = Sentence("ran-before", function=name, time=time, since=window.start, until=window.end)
-        return Link(said, time, firing.n)
+            sentence = Sentence("ticks", function=name, time=time, until=later)
+            return Link(sentence, time, firing.n)
+        sentence = Sentence("ran-before", function=name, time=time, since=window.start, until=window.end)
+        return Link(sentence, time, firing.n)
     return Link(Sentence("never-ran", function=name, since=window.start, until=window.end), window.start)
 
 
@@ -272,9 +272,9 @@ def _replaced(run: RecordedRun, sent: SentCommand) -> Link | None:
             continue
         if one.firing is None:
             ended_by = ending(run, one)
-            said = Sentence("replaced-by-stop", time=sent.time, since=one.time, value=one.value)
+            sentence = Sentence("replaced-by-stop", time=sent.time, since=one.time, value=one.value)
             if ended_by is not None:
-                said = Sentence(
+                sentence = Sentence(
                     "replaced-by-end",
                     time=sent.time,
                     since=one.time,
@@ -282,14 +282,14 @@ def _replaced(run: RecordedRun, sent: SentCommand) -> Link | None:
                     other=ended_by.function,
                     cause=ended_by.n,
                 )
-            return Link(said, one.time, _number(sent.firing))
+            return Link(sentence, one.time, _number(sent.firing))
         if (
             sent.firing is not None
             and one.firing.function == sent.firing.function
             and one.firing.task == sent.firing.task
         ):
             return None
-        said = Sentence(
+        sentence = Sentence(
             "replaced",
             time=sent.time,
             since=one.time,
@@ -297,7 +297,7 @@ def _replaced(run: RecordedRun, sent: SentCommand) -> Link | None:
             cause=one.firing.n,
             value=one.value,
         )
-        return Link(said, one.time, _number(sent.firing))
+        return Link(sentence, one.time, _number(sent.firing))
     return None
 
 
@@ -315,25 +315,25 @@ def _beyond(sent: SentCommand, limits: RobotLimits) -> Link | None:
         return None
     linear, angular = abs(asked[0]), abs(asked[1])
     if linear > limits.speed:
-        said = Sentence("beyond-speed", value=sent.value, asked=linear, limit=limits.speed)
+        sentence = Sentence("beyond-speed", value=sent.value, asked=linear, limit=limits.speed)
     elif angular > limits.turn:
-        said = Sentence("beyond-turn", value=sent.value, asked=angular, limit=limits.turn)
+        sentence = Sentence("beyond-turn", value=sent.value, asked=angular, limit=limits.turn)
     else:
         return None
-    return Link(said, sent.time, _number(sent.firing))
+    return Link(sentence, sent.time, _number(sent.firing))
 
 
 def _hindered(run: RecordedRun, sent: SentCommand) -> Link | None:
-    """Something holds the robot: the last that its bumpers and wheels said when the command was sent."""
+    """Something holds the robot: the last values of its bumpers and wheels when the command was sent."""
     asked = velocity_values(sent.value)
     if asked is None:
         return None
-    said: dict[str, tuple[float, str]] = {}
+    last: dict[str, tuple[float, str]] = {}
     for time, text in run.events():
         words = text.split(" ")
         if time <= sent.time and words[0] in ("Bumper", "Wheel") and len(words) == 3:
-            said[words[1]] = (time, text)
-    for time, text in said.values():
+            last[words[1]] = (time, text)
+    for time, text in last.values():
         if text.endswith(" Air") and asked != (0.0, 0.0):
             return Link(Sentence("in-the-air", value=text, time=time), time, _number(sent.firing))
         if text.endswith(" Pressed") and asked[0] > 0:

@@ -109,7 +109,7 @@ def _output(given: Given) -> Argument:
 
 
 def _remembered(given: Given) -> str:
-    """``Memory (Turn 1.0 2.0)``: a memory is told without its constructor."""
+    """``Memory (Turn 1.0 2.0)``: a memory is shown without its constructor."""
     value = given.value
     is_argument = value.startswith(("(", "[", '"')) or (" " not in value and not value.startswith("-"))
     return f"{given.type.partition(' ')[0]} {value if is_argument else f'({value})'}"
@@ -127,8 +127,8 @@ class _Slots:
     Done = "`Done`"
     simulate = "`simulate`"
 
-    def __init__(self, said: Sentence, decimal_mark: str) -> None:
-        self._said = said
+    def __init__(self, sentence: Sentence, decimal_mark: str) -> None:
+        self._sentence = sentence
         self._mark = decimal_mark
 
     def _seconds(self, time: float | None) -> Words:
@@ -136,92 +136,92 @@ class _Slots:
 
     @property
     def time(self) -> Words:
-        return self._seconds(self._said.time)
+        return self._seconds(self._sentence.time)
 
     @property
     def since(self) -> Words:
-        return self._seconds(self._said.since)
+        return self._seconds(self._sentence.since)
 
     @property
     def until(self) -> Words:
-        return self._seconds(self._said.until)
+        return self._seconds(self._sentence.until)
 
     @property
     def gap(self) -> Words:
-        gap = (self._said.since or 0.0) - (self._said.time or 0.0)
+        gap = (self._sentence.since or 0.0) - (self._sentence.time or 0.0)
         return tr("in the same instant") if gap < 1e-9 else tr("{gap} later", gap=self._seconds(gap))
 
     @property
     def earlier(self) -> Words:
-        if self._said.time is None:
+        if self._sentence.time is None:
             return tr("None had come before.")
         return tr("The last came at {time}.", time=self.time)
 
     @property
     def function(self) -> str:
-        return f"**{self._said.function}**"
+        return f"**{self._sentence.function}**"
 
     @property
     def other(self) -> str:
-        return f"**{self._said.other}**"
+        return f"**{self._sentence.other}**"
 
     @property
     def functions(self) -> Argument:
-        return _and([f"**{name}**" for name in self._said.functions])
+        return _and([f"**{name}**" for name in self._sentence.functions])
 
     @property
     def value(self) -> str:
-        return _code(self._said.value)
+        return _code(self._sentence.value)
 
     @property
     def first(self) -> str:
-        return _code(self._said.values[0])
+        return _code(self._sentence.values[0])
 
     @property
     def last(self) -> str:
-        return _code(self._said.values[-1])
+        return _code(self._sentence.values[-1])
 
     @property
     def number(self) -> int:
-        return self._said.number or 0
+        return self._sentence.number or 0
 
     @property
     def inputs(self) -> Argument:
         """Empty when the function takes nothing."""
-        values = self._said.values
+        values = self._sentence.values
         return tr(" for {list}", list=_and([_code(value) for value in values])) if values else ""
 
     @property
     def outputs(self) -> Argument:
-        return _and([_output(one) for one in self._said.gave]) if self._said.gave else tr("nothing")
+        return _and([_output(one) for one in self._sentence.gave]) if self._sentence.gave else tr("nothing")
 
     @property
     def happened(self) -> Words:
-        return _happened(self._said.value)
+        return _happened(self._sentence.value)
 
     @property
     def type(self) -> str:
-        return f"`{self._said.type}`"
+        return f"`{self._sentence.type}`"
 
     @property
     def command(self) -> Argument:
-        return self.type if self._said.type else tr("command")
+        return self.type if self._sentence.type else tr("command")
 
     @property
     def one(self) -> Words:
-        return _one(self._said.type)
+        return _one(self._sentence.type)
 
     @property
     def types(self) -> Argument:
-        return _or([_one(kind) for kind in self._said.types])
+        return _or([_one(kind) for kind in self._sentence.types])
 
     @property
     def asked(self) -> float:
-        return self._said.asked or 0.0
+        return self._sentence.asked or 0.0
 
     @property
     def limit(self) -> float:
-        return self._said.limit or 0.0
+        return self._sentence.limit or 0.0
 
 
 _TEMPLATES: dict[SentenceId, str] = {

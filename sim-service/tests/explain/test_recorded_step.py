@@ -4,7 +4,7 @@ import msgspec
 import pytest
 
 from rosy_sim.explain.recorded_run import RecordedRun
-from rosy_sim.explain.recorded_step import ToldContent
+from rosy_sim.explain.recorded_step import EncodedContent
 from rosy_sim.wire.firing import Cause, Firing, Given, count_firings, read_firings
 from rosy_sim.world.events import velocity
 
@@ -14,8 +14,8 @@ def firing(number: int) -> Firing:
     return Firing(number, "move", 0, Cause("tick", instant=number), [], gave)
 
 
-def told(*firings: Firing) -> ToldContent:
-    return ToldContent(msgspec.json.encode(firings), ["Bumper"], [velocity(0.5, 0.0) for _ in firings])
+def told(*firings: Firing) -> EncodedContent:
+    return EncodedContent(msgspec.json.encode(firings), ["Bumper"], [velocity(0.5, 0.0) for _ in firings])
 
 
 def test_it_is_read_when_something_asks() -> None:
@@ -31,7 +31,7 @@ def test_a_run_finds_its_firings_and_keeps_the_latest() -> None:
     run = RecordedRun(most=5)
     for step in range(10):
         run.add(step / 50, told(firing(2 * step), firing(2 * step + 1)))
-        run.add(step / 50 + 0.01, ToldContent(b"[]", ["Bumper"], []))
+        run.add(step / 50 + 0.01, EncodedContent(b"[]", ["Bumper"], []))
     assert run.count == 4
     assert [found.n for _, found in run.firings()] == [16, 17, 18, 19]
     assert run.firing(15) is None
@@ -42,7 +42,7 @@ def test_a_run_finds_its_firings_and_keeps_the_latest() -> None:
 
 @pytest.mark.parametrize("bad", [b"null", b"7", b'[{"n":1}]', b'[{"n":"x"}]', b"", b'["\xff"]', b"[" * 5000])
 def test_what_is_no_list_of_firings_tells_nothing(bad: bytes) -> None:
-    step = ToldContent(bad, [], [])
+    step = EncodedContent(bad, [], [])
     assert step.firings == read_firings(bad) == []
     assert step.first_number == -1
 

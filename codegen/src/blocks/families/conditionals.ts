@@ -218,8 +218,8 @@ const menus = perLanguage((): readonly OperatorMenu[] => [
 
 /// What a screen reader says for a symbol.
 function spoken(op: string): string {
-  const said: {readonly [op: string]: string} = words.operators
-  return said[op] ?? op
+  const operatorWords: {readonly [op: string]: string} = words.operators
+  return operatorWords[op] ?? op
 }
 
 export function operatorMenu(op: string): OperatorMenu {

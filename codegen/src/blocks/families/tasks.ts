@@ -146,7 +146,7 @@ interface CallParts {
 /// A step that is a call of one function of the library: sockets first, then a stack or nothing. `name` in its `extraState` is
 /// the new name of the program's own function that took the place of the library's, after it was renamed.
 function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
-  const said = perLanguage(parts)
+  const currentParts = perLanguage(parts)
   const row = ({sockets, stack, words: alone, hasDefinition}: CallParts): Row => [
     ...(alone === undefined ? [] : [{kind: "label", text: alone} as const]),
     ...sockets.flatMap(
@@ -171,12 +171,12 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
     type,
     calls: fn,
     shape() {
-      const {sockets, stack, tooltip, words: alone} = said()
+      const {sockets, stack, tooltip, words: alone} = currentParts()
       return {
         family: "task",
         connects: {as: "step"},
         rows: [
-          row(said()),
+          row(currentParts()),
           ...(stack === undefined
             ? []
             : [[{kind: "stack", name: stack.name, sort: "step", aria: stack.aria} as const]]),
@@ -190,7 +190,7 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
     meaning: {
       as: "step",
       read(r) {
-        const {sockets, stack} = said()
+        const {sockets, stack} = currentParts()
         const head: Expr = {kind: "variable", name: textIn(r.extra, "name", fn), from: r.from}
         const args = sockets.map(s => r.expr(s.name))
         if (stack === undefined) {
@@ -212,7 +212,7 @@ function call(type: string, fn: string, parts: () => CallParts): BlockSpec {
         return {kind: "statement", expr, from: r.from}
       },
       write(s): WrittenBlock | undefined {
-        const {sockets, stack} = said()
+        const {sockets, stack} = currentParts()
         if (s.kind !== "statement") return undefined
         const all = callParts(s.expr, fn)
         if (all === undefined || all.length !== sockets.length + (stack === undefined ? 0 : 1))

@@ -43,9 +43,9 @@ const isKnown = (name: string): name is keyof Words["constructors"] => Object.ha
 export function labelsOf(name: string): ConstructorLabels {
   if (!isKnown(name)) return {family: "own", asPattern: "own", parts: [], tooltip: words.makesAValue(name)}
   const [family, asPattern] = families[name]
-  const said: {readonly parts: readonly string[]; readonly tooltip: string; readonly word?: string} =
+  const labels: {readonly parts: readonly string[]; readonly tooltip: string; readonly word?: string} =
     words.constructors[name]
-  return {family, asPattern, ...said}
+  return {family, asPattern, ...labels}
 }
 
 /// Types whose values are chosen from a menu, with the word before the menu, if any.
@@ -63,8 +63,8 @@ export const choices: {readonly [type: string]: ChoiceLabels} = {
 
 /// What a type's values are, for a label that is read aloud.
 export function exampleNameOf(type: string): string {
-  const said: {readonly [type: string]: string} = words.whats
-  return said[type] ?? type
+  const nouns: {readonly [type: string]: string} = words.whats
+  return nouns[type] ?? type
 }
 
 /// The word on blocks for a value that is chosen from a menu: the robot description's label, else the constructor's name.

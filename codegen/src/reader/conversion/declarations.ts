@@ -55,12 +55,12 @@ function readLocal(around: Syntax, r: Reading): Declaration[] {
 function readInner(nodes: readonly Syntax[], start: number, r: Reading, isClass = false): Declaration[] {
   let from = start
   const groups = grouped(nodes, r.context).map(group => ({group, range: over(group)}))
-  const told = r.context.takePragmas(
+  const pragmas = r.context.takePragmas(
     start,
     groups[groups.length - 1]?.range.end ?? start,
     groups.map(g => g.range),
   )
-  const all = [...groups, ...told.map(range => ({group: [], range}))]
+  const all = [...groups, ...pragmas.map(range => ({group: [], range}))]
   all.sort((a, b) => a.range.start - b.range.start)
   return all.map(({group, range}) => {
     const made = group.length === 0 ? "directive" : readGroup(group, r, isClass)

@@ -37,8 +37,9 @@ export interface Module {
 
 /// Whether two modules group operators alike. Where not, a definition may say something else though its text is the same.
 export function sameFixities(one: Module, other: Module): boolean {
-  const said = ({fixities}: Module) => [...fixities].map(([op, f]) => `${op} ${f.precedence} ${f.associates}`)
-  return said(one).sort().join("\n") === said(other).sort().join("\n")
+  const fixityLines = ({fixities}: Module) =>
+    [...fixities].map(([op, f]) => `${op} ${f.precedence} ${f.associates}`)
+  return fixityLines(one).sort().join("\n") === fixityLines(other).sort().join("\n")
 }
 
 /// What a definition was converted to. A piece adds where it stands.

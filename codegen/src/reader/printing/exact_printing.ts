@@ -9,7 +9,7 @@ import type {Range} from "../../source/lexer.ts"
 import {derivingEdits} from "./deriving_edits.ts"
 import {deletion, itemRange, paired, separatorText} from "./list_edits.ts"
 import type {Separator} from "./model_parts.ts"
-import {equalItems, keyOf, partsOf, saidByBlocks} from "./model_parts.ts"
+import {equalItems, inBlockForm, keyOf, partsOf} from "./model_parts.ts"
 import type {MovedTexts} from "./moved_texts.ts"
 import {isItem, written} from "./moved_texts.ts"
 import {nameEdits} from "./name_edits.ts"
@@ -57,7 +57,7 @@ class ExactPrinting {
   compare(whole: Node, printed: Node, level: number): readonly Edit[] | undefined {
     if (keyOf(whole) === keyOf(printed)) return []
     const [old, fresh] =
-      whole.kind === printed.kind ? [whole, printed] : [saidByBlocks(whole), saidByBlocks(printed)]
+      whole.kind === printed.kind ? [whole, printed] : [inBlockForm(whole), inBlockForm(printed)]
     if (level > this.depth || old.kind !== fresh.kind) return undefined
     this.deepest = Math.max(this.deepest, level)
     const [a, b] = [rangeOf(this.before, old), rangeOf(this.now, fresh)]
@@ -95,12 +95,12 @@ class ExactPrinting {
     }
     const around = bracketsAround(this.before, from, a)
     const needed = bracketsAround(this.now, to, b) !== undefined
-    const areSteps = old.kind !== "do" && saidByBlocks(fresh).kind === "do"
+    const areSteps = old.kind !== "do" && inBlockForm(fresh).kind === "do"
     const isBehindDollar = areSteps && dollarBefore(this.now, to, b) !== undefined
     // Brackets that the old part needed go with it; others stay, and steps without a `$` need them.
     const isFreed = around !== undefined && !needed && !isBehindDollar && mayNeedBrackets(old)
     const all = isFreed ? withBrackets(this.before, from, a) : from
-    const isArgument = saidByBlocks(fresh).kind !== "do" && dollarBefore(this.now, to, b) === undefined
+    const isArgument = inBlockForm(fresh).kind !== "do" && dollarBefore(this.now, to, b) === undefined
     const dollar = old.kind === "do" && isArgument ? dollarBefore(this.before, all, a) : undefined
     if (dollar !== undefined) {
       // The steps after `$` are an argument of the call; another argument that is not behind `$` stands there, in brackets where it needs them.

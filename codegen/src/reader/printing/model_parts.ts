@@ -28,9 +28,9 @@ interface Fields {
 const calls = new WeakMap<Node, Node>()
 const written = new WeakMap<Node, Node>()
 
-/// The node as blocks say it: a `do` of one step is the step, and `f x $ do steps` is a call of `f`, as `f x do steps` is.
-export function saidByBlocks(node: Node): Node {
-  if (isOneStep(node)) return saidByBlocks(node.statements[0].expr)
+/// The node as blocks show it: a `do` of one step is the step, and `f x $ do steps` is a call of `f`, as `f x do steps` is.
+export function inBlockForm(node: Node): Node {
+  if (isOneStep(node)) return inBlockForm(node.statements[0].expr)
   if (node.kind !== "infix" || node.op !== "$" || node.right.kind !== "do") return node
   const known = calls.get(node)
   if (known !== undefined) return known
@@ -41,7 +41,7 @@ export function saidByBlocks(node: Node): Node {
   return call
 }
 
-/// The node of the text for a node of `saidByBlocks`.
+/// The node of the text for a node of `inBlockForm`.
 export function asWritten(node: Node): Node {
   return written.get(node) ?? node
 }
@@ -106,7 +106,7 @@ const keys = new WeakMap<object, string>()
 
 /// Equal texts for nodes that say the same, comments included.
 export function keyOf(whole: Node): string {
-  const node = saidByBlocks(whole)
+  const node = inBlockForm(whole)
   const known = keys.get(node)
   if (known !== undefined) return known
   const {label, places, lists} = partsOf(node)
@@ -119,7 +119,7 @@ export function keyOf(whole: Node): string {
 
 /// The same without comments.
 export function meaningOf(whole: Node): string {
-  const node = saidByBlocks(whole)
+  const node = inBlockForm(whole)
   const {label, places, lists} = partsOf(node)
   const inner = lists.map(l => `[${l.items.map(meaningOf).join(";")}]`)
   return `(${JSON.stringify(label)}${places.map(p => (p === undefined ? "" : meaningOf(p))).join(";")}${inner.join("")})`

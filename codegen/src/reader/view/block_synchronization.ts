@@ -117,7 +117,7 @@ export function syncBlocks(
     return b === undefined ? [] : [{...s, block: b, dimmed: s.dimmed && !changed.includes(s)}]
   })
   const settled = settle(reader, {...view, loose, nextId}, text, kept, completed, new Set(changed))
-  const unsaid = [
+  const unwritten = [
     ...changed.map(s => ({
       block: found.get(s),
       declaration: edits.get(s.piece),
@@ -125,9 +125,9 @@ export function syncBlocks(
     })),
     ...completed.map((block, i) => ({block, declaration: fresh[i], before: undefined})),
   ].filter(edit => !isWritten(settled, edit))
-  if (unsaid.length === 0)
+  if (unwritten.length === 0)
     return {...settled, ...(deriving.size === 0 ? {} : {remade: true}), earlier: earlierOf(view)}
-  return {...view, refused: unsaid.map(({block}) => (block && nameOf(block)) ?? "_"), inexpressible: true}
+  return {...view, refused: unwritten.map(({block}) => (block && nameOf(block)) ?? "_"), inexpressible: true}
 }
 
 /// The blocks that show a definition of the view, and those that are new.
@@ -280,13 +280,13 @@ function settle(
   const last = kept[kept.length - 1]
   const beforeMain = last !== undefined && view.module.pieces[last.piece]?.names[0] === "main"
   const order = beforeMain ? [...kept.slice(0, -1), ...fresh, last] : [...kept, ...fresh]
-  const said = (s: Shown, piece: Piece | undefined): boolean =>
+  const agrees = (s: Shown, piece: Piece | undefined): boolean =>
     piece !== undefined &&
     (s.dimmed ||
       (!touched.has(s.block.id) && s.piece !== -1
         ? sameText(view.module.pieces[s.piece], piece)
         : saysTheSame(s.block, piece)))
-  if (order.length !== pieces.length || !order.every((s, k) => said(s, pieces[k]?.piece))) {
+  if (order.length !== pieces.length || !order.every((s, k) => agrees(s, pieces[k]?.piece))) {
     // A text block held something other than one definition, or what was broken swallows its neighbour: the text decides
     // what there is now.
     const from: View = {

@@ -6,7 +6,7 @@
 import {everyNode} from "../../model/child_nodes.ts"
 import type {Declaration, Node} from "../../model/syntax_tree.ts"
 import type {Piece} from "../module/module_pieces.ts"
-import {asWritten, partsOf, saidByBlocks} from "../printing/model_parts.ts"
+import {asWritten, inBlockForm, partsOf} from "../printing/model_parts.ts"
 
 export function isSaidBy(declaration: Declaration, piece: Piece): boolean {
   const core = piece.slice.slice(piece.core.start - piece.start, piece.core.end - piece.start)
@@ -15,18 +15,18 @@ export function isSaidBy(declaration: Declaration, piece: Piece): boolean {
     return span === undefined ? undefined : core.slice(span.start, span.end)
   }
   const isSame = (whole: Node, other: Node): boolean => {
-    const [one, two] = [saidByBlocks(whole), saidByBlocks(other)]
+    const [one, two] = [inBlockForm(whole), inBlockForm(other)]
     if (isText(one) || isText(two)) {
       const text = isText(two) ? two.text : textOf(two)
       return isText(one) && text !== undefined && flat(one.text) === flat(text)
     }
-    const [said, read] = [partsOf(one), partsOf(two)]
-    if (said.label !== read.label || said.lists.length !== read.lists.length) return false
+    const [shown, read] = [partsOf(one), partsOf(two)]
+    if (shown.label !== read.label || shown.lists.length !== read.lists.length) return false
     const areSame = (a: readonly (Node | undefined)[], b: readonly (Node | undefined)[]) =>
       a.length === b.length && a.every((x, i) => sameOrAbsent(x, b[i], isSame))
     return (
-      areSame(said.places, read.places) &&
-      said.lists.every((list, i) => areSame(asEquations(list.items), read.lists[i]?.items ?? []))
+      areSame(shown.places, read.places) &&
+      shown.lists.every((list, i) => areSame(asEquations(list.items), read.lists[i]?.items ?? []))
     )
   }
   return piece.declaration !== undefined && isSame(declaration, piece.declaration)

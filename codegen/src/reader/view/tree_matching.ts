@@ -5,11 +5,11 @@
 
 import type {BlockId, Extra, Json, SavedBlock} from "../../serialized_blocks.ts"
 
-/// Keys of `extraState` that change how a block looks, not what it says.
+/// Keys of `extraState` that change how a block looks, not what it means.
 const presentationKeys: ReadonlySet<string> = new Set(["as", "fn", "what"])
 
 /// Those, and the reason why something is raw.
-const unsaid: ReadonlySet<string> = new Set([...presentationKeys, "reason"])
+const keysWithoutMeaning: ReadonlySet<string> = new Set([...presentationKeys, "reason"])
 
 interface Node {
   readonly block: SavedBlock
@@ -36,7 +36,7 @@ function nodeOf(
   const children: Node[] = []
   const node = {block, slot, parent, children, size: 1, hash: 0}
   let hash = mix(0x811c9dc5, block.type)
-  hash = mix(hash, said(block.extraState))
+  hash = mix(hash, canonicalExtra(block.extraState))
   if (remarks) hash = mix(hash, block.icons?.comment?.text ?? "")
   if (depth < 400)
     for (const name of Object.keys(block.inputs ?? {}).sort()) {
@@ -60,10 +60,10 @@ function mix(hash: number, text: string): number {
   return Math.imul(h ^ 0x5f, 0x01000193)
 }
 
-function said(extra: Extra | undefined): string {
+function canonicalExtra(extra: Extra | undefined): string {
   return extra === undefined
     ? ""
-    : canonical(Object.fromEntries(Object.entries(extra).filter(([k]) => !unsaid.has(k))))
+    : canonical(Object.fromEntries(Object.entries(extra).filter(([k]) => !keysWithoutMeaning.has(k))))
 }
 
 function canonical(value: Json): string {

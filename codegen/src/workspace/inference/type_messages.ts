@@ -36,15 +36,15 @@ export function describe(type: Type): string {
 /// Two types beside each other: a number, beside a whole one, is one with a decimal point.
 export function describeBoth(one: Type, other: Type): readonly [string, string] {
   const [a, b] = [describe(one), describe(other)]
-  const against = (said: string, beside: string) =>
-    said === words.nouns.Double && beside === words.nouns.Int ? words.types.aNumberWithAPoint : said
+  const against = (noun: string, beside: string) =>
+    noun === words.nouns.Double && beside === words.nouns.Int ? words.types.aNumberWithAPoint : noun
   return [against(a, b), against(b, a)]
 }
 
-/// What is said to lack an ability.
+/// A type as the one that lacks an ability.
 export function describeFor({name, type}: Constraint): string {
-  const said = describe(type)
-  return name === "Integral" && said === words.nouns.Double ? words.types.aNumberWithAPoint : said
+  const noun = describe(type)
+  return name === "Integral" && noun === words.nouns.Double ? words.types.aNumberWithAPoint : noun
 }
 
 /// Types of which a learner need not know the parameters.
@@ -160,7 +160,7 @@ const problemTexts: {
     problemText("syntax", words.types.differentNumbersOfInputs, words.types.giveEachEquationTheSame),
 }
 
-/// What is said of a problem. `what` names the block it is about.
+/// The message about a problem. `what` names the block it is about.
 export function problemMessage(problem: TypeProblem, what: string): ProblemText {
   const text: (problem: never, what: string) => ProblemText = problemTexts[problem.kind]
   return text(problem as never, what)

@@ -230,17 +230,17 @@ export function problemsOf(solved: InferredWorkspace): BlockProblem[] {
 }
 
 function problemOf(problem: TypeProblem): BlockProblem {
-  const known = told.get(problem)
+  const known = messages.get(problem)
   if (known?.of === words) return known.as
   const from = originOf(problem.node)
-  const said = problemMessage(problem, describeNode(problem.node))
-  const as: BlockProblem = {severity: "error", ...said, block: from?.block, input: from?.input}
-  told.set(problem, {of: words, as})
+  const message = problemMessage(problem, describeNode(problem.node))
+  const as: BlockProblem = {severity: "error", ...message, block: from?.block, input: from?.input}
+  messages.set(problem, {of: words, as})
   return as
 }
 
-/// How problems were told, and in which language: inference remembers those of definitions that stay the same.
-const told = new WeakMap<TypeProblem, {readonly of: typeof words; readonly as: BlockProblem}>()
+/// Messages of problems, and in which language: inference remembers those of definitions that stay the same.
+const messages = new WeakMap<TypeProblem, {readonly of: typeof words; readonly as: BlockProblem}>()
 
 /// A node's own word, for messages.
 export function describeNode(node: Node): string {

@@ -79,11 +79,11 @@ export function renameType(workspace: SavedWorkspace, block: SavedBlock, name: s
 }
 
 /// What a block says about itself, with a type's new name wherever a type is written.
-function renamedTypes(kind: string, said: Json, old: string, name: string, alike: boolean): Json {
-  if (Array.isArray(said)) return said.map(one => renamedTypes(kind, one, old, name, alike))
-  if (typeof said !== "object" || said === null) return said
+function renamedTypes(kind: string, json: Json, old: string, name: string, alike: boolean): Json {
+  if (Array.isArray(json)) return json.map(one => renamedTypes(kind, one, old, name, alike))
+  if (typeof json !== "object" || json === null) return json
   return Object.fromEntries(
-    Object.entries(said).map(([key, value]) => {
+    Object.entries(json).map(([key, value]) => {
       const isType =
         key === "type" ||
         key === "signature" ||

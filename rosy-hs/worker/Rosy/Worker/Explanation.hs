@@ -144,7 +144,7 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
     -- "‘a0’ is an ambiguous type variable" in the one, "(The choice depends on the instantiation of ‘a0’" in the other: GHC 9.6 places it at the function.
     names q p = Text.takeWhileEnd (/= '‘') (fst (Text.breakOn "’ is an ambiguous type variable" (ghc q))) `elem` Text.split (not . isAlphaNum) (snd (Text.breakOn "instantiation of" (ghc p)))
     -- Without the code of GHC 9.6 and newer, see 'original'.
-    withoutCode said = maybe said (Text.drop 2 . Text.dropWhile (/= ']')) (Text.stripPrefix "[GHC-" said)
+    withoutCode messageText = maybe messageText (Text.drop 2 . Text.dropWhile (/= ']')) (Text.stripPrefix "[GHC-" messageText)
     around s = maybe False (\outer -> start outer <= start s && end s <= end outer)
     -- The robot of 2021 before the controller: without it simulate has one argument.
     isRobot q = any ((== tr "Remove the robot") . title) (fixes q)
@@ -153,7 +153,7 @@ withoutConsequences ps = nubBy (\x y -> place x == place y && kind x == kind y) 
 -- | Explains one message.
 explain :: ProgramOutline -> CompilerMessage -> Problem
 explain outline raw = case category raw of
-  Syntax -> explainSyntax (text outline) (messageCode raw) (Parts.said parts) (messageSpan raw)
+  Syntax -> explainSyntax (text outline) (messageCode raw) (Parts.messageText parts) (messageSpan raw)
   Tabs -> problem "tab" (tr "There is a tab in the program.") (tr "Use spaces: a tab is not equally wide everywhere.")
   Hole -> problem "hole" (tr "Something is missing here.") (whatFits raw)
   Scope -> notInScope parts

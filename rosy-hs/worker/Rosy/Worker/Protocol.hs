@@ -182,8 +182,8 @@ placesOfGroups spans = concat (zipWith numbers (1 : [l | Span (Position l _) _ <
 branchFields :: [Branch] -> Series
 branchFields branches = if null branches then mempty else pair "branches" (list branch branches)
   where
-    branch (begin, finish, definitions, kind, number, told) =
-      pairs ("in" .= definitions <> "kind" .= kind <> "number" .= number <> "text" .= told <> "start" .= at begin <> "end" .= at finish)
+    branch (begin, finish, definitions, kind, number, shownText) =
+      pairs ("in" .= definitions <> "kind" .= kind <> "number" .= number <> "text" .= shownText <> "start" .= at begin <> "end" .= at finish)
     at = uncurry Position
 
 -- | The members of @completed@ besides @id@.

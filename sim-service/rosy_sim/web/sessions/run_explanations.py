@@ -22,7 +22,7 @@ from ...explain.answers import (
 )
 from ...explain.function_types import function_types, with_synonyms, written_memories
 from ...explain.recorded_run import RecordedRun
-from ...explain.recorded_step import StepContent, ToldContent, commands_of_step
+from ...explain.recorded_step import EncodedContent, StepContent, commands_of_step
 from ...explain.untaken_branch import branch_at
 from ...explain.why import Link
 from ...explain.why_not import FunctionType, RobotLimits, Window
@@ -108,7 +108,7 @@ class RunExplanations:
             self._record(
                 step / STEPS_PER_SECOND,
                 # A copy: commands that arrive after the step are appended to the same list.
-                ToldContent(bytes(done.firings), done.sensed, list(lockstep.commands)),
+                EncodedContent(bytes(done.firings), done.sensed, list(lockstep.commands)),
                 is_overridden=lockstep.is_overridden,
                 is_placed=placements != self._placements,
             )
@@ -144,7 +144,7 @@ class RunExplanations:
     def _record(
         self,
         time: float,
-        content: StepContent | ToldContent,
+        content: StepContent | EncodedContent,
         *,
         is_overridden: bool,
         is_placed: bool = False,

@@ -35,10 +35,10 @@ explainConfusable source raw p
   where
     found = confusables source
     cause = case (category raw, messageSpan raw) of
-      (_, Just s) | category raw == Syntax || "Parse error" `Text.isInfixOf` said -> find (\c -> at c == start s && (inText c || isForeign source c || not (Text.null (within c)))) found <|| find (\c -> isNear s c && not (inText c) && (isForeign source c || isMixed (within c))) found
-      (_, Just s) | "not in scope" `Text.isInfixOf` Text.toLower said -> find (\c -> start s <= at c && at c < end s && (isForeign source c || isMixed (within c) || isKnown (within c))) found
+      (_, Just s) | category raw == Syntax || "Parse error" `Text.isInfixOf` messageText -> find (\c -> at c == start s && (inText c || isForeign source c || not (Text.null (within c)))) found <|| find (\c -> isNear s c && not (inText c) && (isForeign source c || isMixed (within c))) found
+      (_, Just s) | "not in scope" `Text.isInfixOf` Text.toLower messageText -> find (\c -> start s <= at c && at c < end s && (isForeign source c || isMixed (within c) || isKnown (within c))) found
       _ -> Nothing
-    said = Text.unwords (important raw)
+    messageText = Text.unwords (important raw)
     Nothing <|| y = y
     x <|| _ = x
     -- In the definition that ends, or begins, in the line of the error.

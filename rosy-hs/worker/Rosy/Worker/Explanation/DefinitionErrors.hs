@@ -53,7 +53,7 @@ definedTwice MessageParts {..}
   | states 31744 "Duplicate type signatures" = Just $ problem "duplicate" (trWith "‘{name}’ has two types." ["name" =: firstName]) (tr "Remove one of them.")
   | otherwise = Nothing
   where
-    otherPlace advice = case nub (mapMaybe lineIn (filter ("Main.hs:" `Text.isPrefixOf`) (Text.words said))) of
+    otherPlace advice = case nub (mapMaybe lineIn (filter ("Main.hs:" `Text.isPrefixOf`) (Text.words messageText))) of
       l : _ | Just l /= fmap (line . start) (messageSpan raw) -> trWith "The other is in line {line}: remove or rename one of them." ["line" =# l]
       _ -> advice
     lineIn w = readNumber (Text.takeWhile (/= ':') (Text.drop (Text.length "Main.hs:") w))
@@ -69,13 +69,13 @@ incompleteDefinition MessageParts {..}
 incompleteDo :: Rule
 incompleteDo MessageParts {..}
   | states 55814 "The last statement in a 'do' block" = Just $ problem "incomplete" (tr "A do block cannot end like this.") (tr "Its last line says what to do: add one.")
-  | saying "Empty 'do' block" = Just $ problem "incomplete" (tr "Nothing follows this ‘do’.") (tr "Write what to do on the next line, indented.")
+  | mentions "Empty 'do' block" = Just $ problem "incomplete" (tr "Nothing follows this ‘do’.") (tr "Write what to do on the next line, indented.")
   | otherwise = Nothing
 
 -- | @Left@ or @Right@ without its value, as the side of an event.
 sideOfEvent :: Rule
 sideOfEvent MessageParts {..}
-  | firstName `elem` ["Left", "Right"], Just side <- lookup (lastWord before) [("Bumper", "BumperSide"), ("Cliff", "CliffSide"), ("Wheel", "WheelSide")], saying "but has been given none" = Just $ problem "type-mismatch" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: "Either a b", "needed" =: side]) (mismatchHint side "Either a b")
+  | firstName `elem` ["Left", "Right"], Just side <- lookup (lastWord before) [("Bumper", "BumperSide"), ("Cliff", "CliffSide"), ("Wheel", "WheelSide")], mentions "but has been given none" = Just $ problem "type-mismatch" (trWith "This is {a given}, but {a needed} is needed here." ["given" =: "Either a b", "needed" =: side]) (mismatchHint side "Either a b")
   | otherwise = Nothing
   where
     lastWord = maybe "" (Text.dropWhile (== '(')) . listToMaybe . reverse . Text.words
@@ -83,7 +83,7 @@ sideOfEvent MessageParts {..}
 -- | A pattern with too many or too few parts.
 patternArguments :: Rule
 patternArguments MessageParts {..}
-  | saying "should have" && saying "arguments, but has been given" || saying "should have" && saying "argument, but has been given" = Just $ case mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" said))) of
+  | mentions "should have" && mentions "arguments, but has been given" || mentions "should have" && mentions "argument, but has been given" = Just $ case mapMaybe readNumber (Text.words (fromMaybe "" (after "should have" messageText))) of
     1 : 0 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds one value, but here none are named." ["name" =: firstName]) (withParts 1)
     wanted : 0 : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds {count wanted} values, but here none are named." ["name" =: firstName, "wanted" =# wanted]) (withParts wanted)
     1 : given : _ -> problem "pattern-arguments" (trWith "‘{name}’ holds one value, but here {count given} are named." ["name" =: firstName, "given" =# given]) nameEach
@@ -98,15 +98,15 @@ patternArguments MessageParts {..}
 -- | Fields that are missing or unknown.
 fieldErrors :: Rule
 fieldErrors MessageParts {..}
-  | saying "does not have the required strict field" = Just $ problem "missing-field" (trWith "This ‘{name}’ is not complete." ["name" =: firstName]) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName])
-  | saying "does not have field" = Just $ problem "unknown-field" (maybe (trWith "‘{name}’ has no field called that." ["name" =: firstName]) (\f -> trWith "‘{name}’ has no field called ‘{field}’." ["name" =: firstName, "field" =: f]) (listToMaybe (drop 1 names))) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName])
-  | saying "is not a (visible) field" || saying "is not a record selector" = Just $ problem "unknown-field" (trWith "‘{name}’ is not a field." ["name" =: firstName]) (fromMaybe (tr "Write the constructor and its values in order.") (originalOptionsHint before))
+  | mentions "does not have the required strict field" = Just $ problem "missing-field" (trWith "This ‘{name}’ is not complete." ["name" =: firstName]) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName])
+  | mentions "does not have field" = Just $ problem "unknown-field" (maybe (trWith "‘{name}’ has no field called that." ["name" =: firstName]) (\f -> trWith "‘{name}’ has no field called ‘{field}’." ["name" =: firstName, "field" =: f]) (listToMaybe (drop 1 names))) (trWith "Write it as ‘{name}’ and its values in order." ["name" =: firstName])
+  | mentions "is not a (visible) field" || mentions "is not a record selector" = Just $ problem "unknown-field" (trWith "‘{name}’ is not a field." ["name" =: firstName]) (fromMaybe (tr "Write the constructor and its values in order.") (originalOptionsHint before))
   | otherwise = Nothing
 
 -- | Two comparisons without a word between them.
 joinedComparisons :: Rule
 joinedComparisons MessageParts {..}
-  | saying "cannot mix" = Just $ problem "operator" (tr "Two comparisons cannot follow one another.") (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (messageSpan raw >>= snippet (text outline)))) then tr "In Haskell, and is written &&, or is written ||." else tr "Join them with &&: 3 < s && s < 5")
+  | mentions "cannot mix" = Just $ problem "operator" (tr "Two comparisons cannot follow one another.") (if any (`elem` ["and", "or"]) (Text.words (fromMaybe "" (messageSpan raw >>= snippet (text outline)))) then tr "In Haskell, and is written &&, or is written ||." else tr "Join them with &&: 3 < s && s < 5")
   | otherwise = Nothing
 
 -- | A text between single quotation marks.
@@ -118,10 +118,10 @@ singleQuotes MessageParts {..}
 -- | A type with too many or too few arguments.
 typeArguments :: Rule
 typeArguments MessageParts {..}
-  | saying "Expecting" && saying "more argument" = Just $ problem "type-argument" (trWith "‘{name}’ needs another type beside it." ["name" =: firstName]) ofWhat
-  | saying "Expected kind" && saying "but", typeHead (fromMaybe "" (listToMaybe (drop 1 names))) == "Task" = Just $ problem "type-argument" (tr "‘Task’ takes one type: what the task ends with.") (tr "Remove the first of the two, for example: Task ()")
-  | saying "Expected kind" && saying "but" = Just $ problem "type-argument" (trWith "‘{type}’ is a complete type: nothing can follow it." ["type" =: typeHead (fromMaybe "" (listToMaybe (drop 1 names)))]) (tr "Remove what comes after it, or put an arrow -> between.")
-  | saying "Expected a type, but" || saying "Expected a constraint" = Just $ problem "type-argument" (trWith "‘{name}’ cannot be used in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineAt outline) (messageSpan raw) then tr "An arrow -> goes between what a function takes and what it gives." else tr "Check the type for a missing arrow or bracket.")
+  | mentions "Expecting" && mentions "more argument" = Just $ problem "type-argument" (trWith "‘{name}’ needs another type beside it." ["name" =: firstName]) ofWhat
+  | mentions "Expected kind" && mentions "but", typeHead (fromMaybe "" (listToMaybe (drop 1 names))) == "Task" = Just $ problem "type-argument" (tr "‘Task’ takes one type: what the task ends with.") (tr "Remove the first of the two, for example: Task ()")
+  | mentions "Expected kind" && mentions "but" = Just $ problem "type-argument" (trWith "‘{type}’ is a complete type: nothing can follow it." ["type" =: typeHead (fromMaybe "" (listToMaybe (drop 1 names)))]) (tr "Remove what comes after it, or put an arrow -> between.")
+  | mentions "Expected a type, but" || mentions "Expected a constraint" = Just $ problem "type-argument" (trWith "‘{name}’ cannot be used in this place of a type." ["name" =: firstName]) (if maybe False (Text.isInfixOf "=>" . lineAt outline) (messageSpan raw) then tr "An arrow -> goes between what a function takes and what it gives." else tr "Check the type for a missing arrow or bracket.")
   | otherwise = Nothing
   where
     ofWhat
@@ -132,13 +132,13 @@ typeArguments MessageParts {..}
 -- | An expression in a pattern, or the other way round.
 misplacedExpression :: Rule
 misplacedExpression MessageParts {..}
-  | saying "Parse error in pattern" || saying "Pattern syntax in expression" = Just $ problem "pattern" (tr "This cannot be on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts.")
+  | mentions "Parse error in pattern" || mentions "Pattern syntax in expression" = Just $ problem "pattern" (tr "This cannot be on the left of an equals sign.") (tr "Write names, constructors and _ there, each with brackets around it if it has parts.")
   | otherwise = Nothing
 
 -- | A language extension that is not switched on.
 switchedOffExtension :: Rule
 switchedOffExtension MessageParts {..}
-  | saying "Illegal" || saying "Perhaps you intended to use" || saying "Perhaps you meant to use" = Just $ problem "extension" (tr "This needs a language extension that is not switched on.") (tr "There is nearly always a simpler way to say it.")
+  | mentions "Illegal" || mentions "Perhaps you intended to use" || mentions "Perhaps you meant to use" = Just $ problem "extension" (tr "This needs a language extension that is not switched on.") (tr "There is nearly always a simpler way to say it.")
   | otherwise = Nothing
 
 -- | A class, a newtype or an instance that is not complete.
@@ -146,14 +146,14 @@ classErrors :: Rule
 classErrors MessageParts {..}
   | states 54721 "method of class" = Just $ problem "unknown-method" (maybe (trWith "This class has nothing called ‘{name}’." ["name" =: firstName]) (\c -> trWith "‘{class}’ has nothing called ‘{name}’." ["class" =: c, "name" =: firstName]) (listToMaybe (drop 1 names))) (tr "Write one of the names that are in the class.")
   | states 23517 "newtype must have exactly one" = Just $ problem "newtype" (tr "A newtype holds exactly one value.") (tr "For more than one, write data.")
-  | saying "No explicit implementation" = Just $ problem "missing-method" (tr "This instance is not complete.") (tr "Define its functions as well.")
+  | mentions "No explicit implementation" = Just $ problem "missing-method" (tr "This instance is not complete.") (tr "Define its functions as well.")
   | otherwise = Nothing
 
 -- | An instance that exists already.
 instanceErrors :: Rule
 instanceErrors MessageParts {..}
   | states 59692 "Duplicate instance declarations",
-    (c, t) : _ <- [(c, t) | c <- ["Sensor", "Command"], Just t <- [between ("instance " <> c <> " ") " -- Defined in ‘Rosy." said]] =
+    (c, t) : _ <- [(c, t) | c <- ["Sensor", "Command"], Just t <- [between ("instance " <> c <> " ") " -- Defined in ‘Rosy." messageText]] =
     Just $ problem "duplicate" (if c == "Sensor" then trWith "The robot has a sensor ‘{type}’ already." ["type" =: t] else trWith "The robot has a command ‘{type}’ already." ["type" =: t]) (trWith "Remove this declaration. For a topic of your own declare a type: newtype My{type} = My{type} {type}" ["type" =: t])
   | states 59692 "Duplicate instance declarations" = Just $ problem "duplicate" (tr "Rosy has done this for you already.") (tr "Remove this declaration.")
   | otherwise = Nothing

@@ -26,7 +26,7 @@ data MessageParts = MessageParts
     raw :: CompilerMessage,
     problem :: Say,
     -- | The message without its context, on one line.
-    said :: Text,
+    messageText :: Text,
     -- | The message with its context, on one line.
     everything :: Text,
     -- | What the message quotes, in order.
@@ -35,7 +35,7 @@ data MessageParts = MessageParts
     -- | What stands on the line before the part that the message is about.
     before :: Text,
     -- | Whether the message has this text.
-    saying :: Text -> Bool,
+    mentions :: Text -> Bool,
     -- | By GHC's code where the message has one; by its prose where it has none, as in GHC 9.0.
     states :: Int -> Text -> Bool
   }
@@ -47,10 +47,10 @@ messageParts :: ProgramOutline -> CompilerMessage -> MessageParts
 messageParts outline raw = MessageParts {..}
   where
     problem k m h = Problem (messageSeverity raw) k (messageSpan raw) Nothing m h "" []
-    said = oneLine (Text.unwords (important raw))
+    messageText = oneLine (Text.unwords (important raw))
     everything = oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw))
-    names = quotedParts said
+    names = quotedParts messageText
     firstName = fromMaybe "this" (listToMaybe names)
     before = maybe "" (\s -> Text.take (column (start s) - 1) (lineAt outline s)) (messageSpan raw)
-    saying t = t `Text.isInfixOf` said
-    states number t = maybe (saying t) (== number) (messageCode raw)
+    mentions t = t `Text.isInfixOf` messageText
+    states number t = maybe (mentions t) (== number) (messageCode raw)

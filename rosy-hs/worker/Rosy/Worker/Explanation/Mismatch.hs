@@ -29,7 +29,7 @@ data Mismatch = Mismatch
     -- | The actual type.
     given :: Type,
     -- | The message without its context, on one line.
-    said :: Text,
+    messageText :: Text,
     -- | The message with its context, on one line.
     whole :: Text,
     -- | The part of the program that the message is about, if it is short and on one line.
@@ -47,7 +47,7 @@ type Rule = Mismatch -> Maybe Problem
 mismatchOf :: ProgramOutline -> CompilerMessage -> Say -> Type -> Type -> Mismatch
 mismatchOf outline raw problem needed given = Mismatch {..}
   where
-    said = withoutGeneratedNames (oneLine (Text.unwords (important raw)))
+    messageText = withoutGeneratedNames (oneLine (Text.unwords (important raw)))
     whole = withoutGeneratedNames (oneLine (Text.unwords (important raw ++ context raw ++ supplementary raw)))
     source = messageSpan raw >>= snippet (text outline)
     before = maybe "" (\s -> Text.take (column (start s) - 1) (lineAt outline s)) (messageSpan raw)

@@ -44,7 +44,7 @@ missingModule :: MessageParts -> Maybe Text
 missingModule m@MessageParts {..} = case (finding raw, qualifier m) of
   (Just (ModuleNotImported q), _) -> Just q
   -- GHC 9.4 leaves out the qualifier, and that its module is not imported.
-  (Nothing, Just q) | saying "Variable not in scope", not (imports q) -> Just q
+  (Nothing, Just q) | mentions "Variable not in scope", not (imports q) -> Just q
   _ -> Nothing
   where
     imports q = or [q `elem` ws | "import" : ws <- map Text.words (Text.lines (text outline))]
@@ -58,13 +58,13 @@ moduleNotImported MessageParts {..} q = problem "not-in-scope" (trWith "‘{modu
 
 -- | A type or constructor is not in scope, or one of another kind.
 undefinedThing :: Rule
-undefinedThing m@MessageParts {..} = case after "Not in scope: " said of
+undefinedThing m@MessageParts {..} = case after "Not in scope: " messageText of
   Just rest -> Just (undefinedIn rest)
   Nothing -> Nothing
   where
     undefinedIn rest
       | Just advice <- unitHint firstName, endsInNumber before = problem "unit" (tr "A number is written without its unit.") advice
-      | finding raw == Just ConstructorAsType || "data constructor of that name" `Text.isInfixOf` Text.unwords [said, everything] = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
+      | finding raw == Just ConstructorAsType || "data constructor of that name" `Text.isInfixOf` Text.unwords [messageText, everything] = problem "not-a-type" (trWith "‘{name}’ is a value, not a type." ["name" =: firstName]) (fromMaybe (tr "In a type, write the type that it belongs to.") (typeOfValue firstName))
       | "type variable" `Text.isPrefixOf` rest = problem "not-in-scope" (trWith "There is no type called ‘{name}’." ["name" =: firstName]) (tr "Types begin with capital letters, for example: Turn Double")
       | any (`Text.isInfixOf` everything) ["No module named", "no module named"],
         module_ <- fromMaybe "" (listToMaybe (drop 1 names)) =
@@ -78,7 +78,7 @@ undefinedThing m@MessageParts {..} = case after "Not in scope: " said of
 -- | A variable is not in scope.
 undefinedValue :: Rule
 undefinedValue m
-  | saying m "not in scope:" = Just (notInScope m)
+  | mentions m "not in scope:" = Just (notInScope m)
   | otherwise = Nothing
 
 notInScope :: MessageParts -> Problem
@@ -98,7 +98,7 @@ notInScope m@MessageParts {..}
 
 -- | The unknown name without its qualifier.
 nameAlone :: MessageParts -> Text
-nameAlone MessageParts {..} = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " said))
+nameAlone MessageParts {..} = Text.takeWhile (/= ' ') (fromMaybe "?" (after "not in scope: " messageText))
 
 endsInNumber :: Text -> Bool
 endsInNumber = maybe False (isDigit . snd) . Text.unsnoc . Text.stripEnd
@@ -112,8 +112,8 @@ ambiguousName MessageParts {..}
 -- | A module that is not available, or has no such name.
 moduleErrors :: Rule
 moduleErrors MessageParts {..}
-  | saying "does not export" = Just $ problem "not-in-scope" (maybe (trWith "The module ‘{module}’ has no such name." ["module" =: firstName]) (\n -> trWith "The module ‘{module}’ has no ‘{name}’." ["module" =: firstName, "name" =: n]) (listToMaybe (drop 1 names))) (tr "Check its spelling.")
-  | saying "Could not find module" || saying "Could not load module" = Just $ problem "import" (trWith "The module ‘{module}’ is not available here." ["module" =: firstName]) (tr "Remove this import.")
+  | mentions "does not export" = Just $ problem "not-in-scope" (maybe (trWith "The module ‘{module}’ has no such name." ["module" =: firstName]) (\n -> trWith "The module ‘{module}’ has no ‘{name}’." ["module" =: firstName, "name" =: n]) (listToMaybe (drop 1 names))) (tr "Check its spelling.")
+  | mentions "Could not find module" || mentions "Could not load module" = Just $ problem "import" (trWith "The module ‘{module}’ is not available here." ["module" =: firstName]) (tr "Remove this import.")
   | otherwise = Nothing
 
 -- | Suggests similar names.

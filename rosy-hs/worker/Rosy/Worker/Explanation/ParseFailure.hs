@@ -23,7 +23,7 @@ data ParseFailure = ParseFailure
     -- | GHC's code, from GHC 9.6 on.
     code :: Maybe Int,
     -- | GHC's message.
-    said :: Text,
+    messageText :: Text,
     -- | All tokens of the program.
     found :: [Token],
     -- | Where parsing failed.
@@ -44,7 +44,7 @@ data ParseFailure = ParseFailure
 
 -- | Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
 failureOf :: Text -> Maybe Int -> Text -> Maybe Span -> ParseFailure
-failureOf source code said spot = ParseFailure {..}
+failureOf source code messageText spot = ParseFailure {..}
   where
     found = tokenize source
     at = maybe (Position 1 1) start spot

@@ -26,9 +26,9 @@ import Rosy.Worker.Sentence
 
 -- | Explains a syntax error. Takes the program, GHC's code (from GHC 9.6 on), its message and its span.
 explainSyntax :: Text -> Maybe Int -> Text -> Maybe Span -> Problem
-explainSyntax source code said spot = fromMaybe fallback (listToMaybe (concatMap ($ failure) causes ++ fallbackSyntaxErrors failure))
+explainSyntax source code messageText spot = fromMaybe fallback (listToMaybe (concatMap ($ failure) causes ++ fallbackSyntaxErrors failure))
   where
-    failure = failureOf source code said spot
+    failure = failureOf source code messageText spot
     fallback = case here failure of
       -- Nothing is before it, or it begins a line as no definition does.
       Just t | null (takeWhile ((< from t) . from) (found failure)) || column (from t) == 1 && Text.all isPunctuationOrSymbol (word t) && word t /= "(" -> problemAt (tokenSpan t) "syntax" (trWith "This line is not a program: it cannot be understood from ‘{word}’ on." ["word" =: word t]) (trWith "A line at the left edge defines something, for example: {code}" ["code" =: "main = simulate (drive 50)"])
@@ -46,10 +46,10 @@ causes = [unreadableText, misspelling, mistakeInGuards, mistakeInTasks, mistakeI
 unreadableText :: ParseFailure -> [Problem]
 unreadableText failure@ParseFailure {..} =
   concat
-    [ [unclosedText s | "string/character literal" `Text.isInfixOf` said, s <- maybe [] pure (lastQuote source at)],
-      [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` said],
+    [ [unclosedText s | "string/character literal" `Text.isInfixOf` messageText, s <- maybe [] pure (lastQuote source at)],
+      [problemAt (widen at) "syntax" (tr "This comment is never closed.") (tr "End it with -} or start it with -- instead.") | "unterminated" `Text.isInfixOf` messageText],
       [ problemAt (widen at) "character" (trWith "The character ‘{character}’ has no meaning here." ["character" =: c]) (tr "Remove it, or write it inside a text.")
-        | maybe ("lexical error" `Text.isInfixOf` said) (`elem` [21231, 31623]) code,
+        | maybe ("lexical error" `Text.isInfixOf` messageText) (`elem` [21231, 31623]) code,
           Just c <- [Text.take 1 <$> textFrom source at],
           not (Text.null c)
       ],
@@ -125,7 +125,7 @@ mistakeInTasks ParseFailure {..} =
       ],
       [ problemAt (tokenSpan t) "word" (trWith "Before ‘{word}’ a dollar sign is missing." ["word" =: word t]) (if word t == "do" then trWith "Write it between the two: {code}" ["code" =: applied <> " $ do"] else trWith "Write it between the two: {code} …" ["code" =: applied <> " $ " <> word t])
         | Just t <- [here],
-          word t == "do" || "in function application" `Text.isInfixOf` said && word t `elem` ["\\", "case", "if", "let"],
+          word t == "do" || "in function application" `Text.isInfixOf` messageText && word t `elem` ["\\", "case", "if", "let"],
           applied <- [applicationBefore source (takeWhile ((< at) . from) onLine)],
           not (Text.null applied)
       ],

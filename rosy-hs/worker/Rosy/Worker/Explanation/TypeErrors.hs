@@ -24,11 +24,11 @@ import Rosy.Worker.Sentence
 
 explainTypes :: ProgramOutline -> CompilerMessage -> Maybe Problem
 explainTypes outline raw =
-  (ambiguityIn raw said >>= \(v, c, user) -> Just (explainAmbiguous outline problem v c user))
-    <|> (if "Overlapping instances for Runnable" `Text.isPrefixOf` said then Just (unclear outline problem) else Nothing)
-    <|> (missingInstanceIn raw said >>= \(c, t, user) -> Just (explainInstance (missingInstanceOf outline raw problem c t user)))
-    <|> (mismatchIn raw said >>= \(needed, given) -> Just (explainMismatch (mismatchOf outline raw problem needed given)))
-    <|> (if "rigid type variable" `Text.isInfixOf` said then Just (problem "too-general" (tr "The type promises more than the definition keeps.") (tr "Write the type that it really has.")) else Nothing)
+  (ambiguityIn raw messageText >>= \(v, c, user) -> Just (explainAmbiguous outline problem v c user))
+    <|> (if "Overlapping instances for Runnable" `Text.isPrefixOf` messageText then Just (unclear outline problem) else Nothing)
+    <|> (missingInstanceIn raw messageText >>= \(c, t, user) -> Just (explainInstance (missingInstanceOf outline raw problem c t user)))
+    <|> (mismatchIn raw messageText >>= \(needed, given) -> Just (explainMismatch (mismatchOf outline raw problem needed given)))
+    <|> (if "rigid type variable" `Text.isInfixOf` messageText then Just (problem "too-general" (tr "The type promises more than the definition keeps.") (tr "Write the type that it really has.")) else Nothing)
   where
-    said = withoutGeneratedNames (oneLine (Text.unwords (important raw)))
+    messageText = withoutGeneratedNames (oneLine (Text.unwords (important raw)))
     problem k m h = Problem (messageSeverity raw) k (messageSpan raw) Nothing m h "" []

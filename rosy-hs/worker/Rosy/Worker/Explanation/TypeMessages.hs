@@ -41,24 +41,24 @@ type Say = Text -> Sentence -> Sentence -> Problem
 
 -- | Expected and actual type. Takes the message's text on one line.
 mismatchIn :: CompilerMessage -> Text -> Maybe (Type, Type)
-mismatchIn raw said = case finding raw of
+mismatchIn raw messageText = case finding raw of
   Just (TypesDiffer needed given) -> Just (simplifyType needed, simplifyType given)
   Just _ -> Nothing
-  Nothing -> mismatch said
+  Nothing -> mismatch messageText
 
 -- | Class, type, and the expression that requires it.
 missingInstanceIn :: CompilerMessage -> Text -> Maybe (Text, Type, Text)
-missingInstanceIn raw said = case finding raw of
-  Just (InstanceMissing constraint user) -> Just (classOf constraint, simplifyType (stripBrackets (Text.strip (Text.drop 1 (snd (Text.breakOn " " (oneLine constraint)))))), maybe (userIn said) withoutGeneratedNames user)
+missingInstanceIn raw messageText = case finding raw of
+  Just (InstanceMissing constraint user) -> Just (classOf constraint, simplifyType (stripBrackets (Text.strip (Text.drop 1 (snd (Text.breakOn " " (oneLine constraint)))))), maybe (userIn messageText) withoutGeneratedNames user)
   Just _ -> Nothing
-  Nothing -> noInstance said
+  Nothing -> noInstance messageText
 
 -- | Type variable, class, and the expression that requires it.
 ambiguityIn :: CompilerMessage -> Text -> Maybe (Text, Text, Text)
-ambiguityIn raw said = case finding raw of
-  Just (VariableAmbiguous v constraint user) -> Just (v, classOf constraint, maybe (userIn said) withoutGeneratedNames user)
+ambiguityIn raw messageText = case finding raw of
+  Just (VariableAmbiguous v constraint user) -> Just (v, classOf constraint, maybe (userIn messageText) withoutGeneratedNames user)
   Just _ -> Nothing
-  Nothing -> ambiguous said
+  Nothing -> ambiguous messageText
 
 classOf :: Text -> Text
 classOf = Text.takeWhile (/= ' ') . oneLine
@@ -66,15 +66,15 @@ classOf = Text.takeWhile (/= ' ') . oneLine
 -- * Prose of messages
 
 mismatch :: Text -> Maybe (Type, Type)
-mismatch said
-  | Just rest <- after "Expected:" said,
-    "Couldn't match" `Text.isPrefixOf` said =
+mismatch messageText
+  | Just rest <- after "Expected:" messageText,
+    "Couldn't match" `Text.isPrefixOf` messageText =
     let (needed, more) = Text.breakOn "Actual:" rest
      in Just (typeIn needed, typeIn (upToNote (Text.drop 7 more)))
-  | Just rest <- after "Couldn't match expected type" said =
+  | Just rest <- after "Couldn't match expected type" messageText =
     let (needed, more) = Text.breakOn "with actual type" rest
      in Just (typeIn (colon needed), typeIn (upToNote (colon (Text.drop 16 more))))
-  | Just rest <- after "Couldn't match type" said,
+  | Just rest <- after "Couldn't match type" messageText,
     needed : given : _ <- quotedParts rest =
     Just (simplifyType needed, simplifyType given)
   | otherwise = Nothing
@@ -83,15 +83,15 @@ mismatch said
     upToNote t = foldr (\mark x -> fst (Text.breakOn mark x)) t ["‘’", " arising from", " Type synonyms", " The type variable", " because type"]
 
 noInstance :: Text -> Maybe (Text, Type, Text)
-noInstance said = do
-  rest <- after "No instance for (" said
+noInstance messageText = do
+  rest <- after "No instance for (" messageText
   let inside = bracketed rest
       (c, t) = Text.breakOn " " inside
-  Just (c, simplifyType (stripBrackets (Text.strip t)), userIn said)
+  Just (c, simplifyType (stripBrackets (Text.strip t)), userIn messageText)
 
 -- | The expression that a constraint arises from.
 userIn :: Text -> Text
-userIn said = maybe "" (\x -> fromMaybe (Text.takeWhile (/= ' ') x) (listToMaybe (quotedParts x))) (after "arising from" said)
+userIn messageText = maybe "" (\x -> fromMaybe (Text.takeWhile (/= ' ') x) (listToMaybe (quotedParts x))) (after "arising from" messageText)
 
 bracketed :: Text -> Text
 bracketed = go (0 :: Int) ""
@@ -105,8 +105,8 @@ bracketed = go (0 :: Int) ""
       Nothing -> acc
 
 ambiguous :: Text -> Maybe (Text, Text, Text)
-ambiguous said = do
-  rest <- after "Ambiguous type variable" said
+ambiguous messageText = do
+  rest <- after "Ambiguous type variable" messageText
   let names = quotedParts rest
       v = fromMaybe "" (listToMaybe names)
       c = maybe "" (Text.takeWhile (/= ' ')) (after "the constraint ‘(" rest)

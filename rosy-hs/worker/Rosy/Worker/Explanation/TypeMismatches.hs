@@ -86,7 +86,7 @@ endOfTaskDiffers Mismatch {..}
   | Just u <- user, u `elem` ["task", "taskWith"] = Just $ problem "done-type" (trWith "The task ends with {a needed}, but its Done carries {a given}." ["needed" =: needed, "given" =: given]) (if needed == "String" then tr "Make both the same, or turn what it ends with into a text with show." else tr "Make both the same type.")
   | otherwise = Nothing
   where
-    user = listToMaybe . quotedParts =<< after "arising from a use of" said
+    user = listToMaybe . quotedParts =<< after "arising from a use of" messageText
 
 -- | @main@ is no run of the robot.
 mainRunsNothing :: Rule
@@ -106,7 +106,7 @@ mainRunsNothing Mismatch {..}
 -- | A type would contain itself.
 infiniteType :: Rule
 infiniteType Mismatch {..}
-  | "Occurs check" `Text.isInfixOf` said || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = Just $ problem "infinite-type" (tr "This would have to contain itself.") (tr "Check the brackets, and whether a function is given to itself by accident.")
+  | "Occurs check" `Text.isInfixOf` messageText || isVariable needed && needed `elem` Text.words given || isVariable given && given `elem` Text.words needed = Just $ problem "infinite-type" (tr "This would have to contain itself.") (tr "Check the brackets, and whether a function is given to itself by accident.")
   | otherwise = Nothing
 
 -- | @return@ in a function that is no task.

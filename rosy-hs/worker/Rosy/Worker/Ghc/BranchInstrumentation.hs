@@ -108,9 +108,9 @@ alternatives c m = case mg_alts m of
       guards' <- walk c guards
       e' <- walk c e
       let left = patternText c at one
-          told = if null guards then left else left ++ " | " ++ guardText c guards
+          shownText = if null guards then left else left ++ " | " ++ guardText c guards
           place = if null guards then placeOf c at else sidePlace c guards e
-      GRHS x guards' <$> ticking c result (kindOf one) number told place e'
+      GRHS x guards' <$> ticking c result (kindOf one) number shownText place e'
     kindOf one = case m_ctxt one of
       FunRhs {} -> "equation"
       _ -> "case"
@@ -157,12 +157,12 @@ guardText c guards = maybe "" (textOf c) $ case map spanOf guards of
 
 -- | The expression, which says first that its branch is taken.
 ticking :: Context -> Type -> String -> Int -> String -> Maybe Span -> LHsExpr GhcTc -> IO (LHsExpr GhcTc)
-ticking c t kind number told place e = case place of
+ticking c t kind number shownText place e = case place of
   Just (Span (Position l1 c1) (Position l2 c2))
     | isInFunction c,
-      told /= "" -> do
+      shownText /= "" -> do
       known <- readIORef (found c)
-      writeIORef (found c) (((l1, c1), (l2, c2), reverse (definitions c), kind, number, told) : known)
+      writeIORef (found c) (((l1, c1), (l2, c2), reverse (definitions c), kind, number, shownText) : known)
       pure (nlHsApp (nlHsApp (nlHsTyApp seqId (runtimeReps ++ [unitTy, t])) (nlHsApp (nlHsVar (tick c)) (intLiteral (length known)))) e)
   _ -> pure e
   where
@@ -179,6 +179,6 @@ sliceOf source (Span (Position l1 c1) (Position l2 c2)) = shortened (Text.unword
       [] -> []
     shortened text = if Text.length text > longestText then Text.unpack (Text.take (longestText - 1) text) ++ "…" else Text.unpack text
 
--- | Characters of what a branch is told by. A choice of ours.
+-- | Characters of the text that shows a branch. A choice of ours.
 longestText :: Int
 longestText = 60

@@ -69,9 +69,9 @@ dispatchQuestions config session s
 -- | Reads from and writes to a checker whose channel is ready.
 serveChecker :: State -> (Int, (Bool, Bool)) -> IO State
 serveChecker s (pid, (canRead, canWrite)) = do
-  told <- if canWrite then flushQuestion pid (pool s) else pure (pool s)
-  (said, after) <- if canRead then receiveAnswers pid told else pure ([], told)
-  foldM (flip report) s {pool = after} said
+  flushed <- if canWrite then flushQuestion pid (pool s) else pure (pool s)
+  (answers, after) <- if canRead then receiveAnswers pid flushed else pure ([], flushed)
+  foldM (flip report) s {pool = after} answers
 
 -- | Sends the result of a question to the service.
 report :: CheckResult -> State -> IO State

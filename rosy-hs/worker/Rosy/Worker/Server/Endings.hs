@@ -2,7 +2,7 @@
 
 -- |
 -- Module      : Rosy.Worker.Server.Endings
--- Description : Endings of children: for which limit they are killed, and what is told of a run that has ended.
+-- Description : Endings of children: for which limit they are killed, and what is reported of a run that has ended.
 module Rosy.Worker.Server.Endings
   ( killExpired,
     enforceCeilings,
@@ -95,9 +95,9 @@ finishRun pid how s = case Map.lookup pid (jobs s) of
       Just request | isNothing (overrun job) -> pure rest {waitingRuns = waitingRuns rest |> request}
       _ -> do
         closeInstead job
-        pure (told job i gone wasKilled firing rest)
+        pure (runEnd job i gone wasKilled firing rest)
   where
-    told job i gone wasKilled firing rest
+    runEnd job i gone wasKilled firing rest
       | started job = let atWork = if Text.null firing || isExit how then Nothing else Just firing in reply (gone atWork (endProblem job atWork how)) rest
       | not (wanted job) || answered job = rest
       | wasKilled = reply (gone Nothing Nothing) rest
