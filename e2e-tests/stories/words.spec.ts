@@ -23,7 +23,9 @@ async function kept(page: Page): Promise<ReadonlySet<string>> {
     return (await Promise.all(texts)).join(" ")
   })
   const program = await new Learner(page).haskellText()
-  const others = words("English Deutsch Português Brasil Español Français Alt Shift Control rad accelerateAndPlay")
+  const others = words(
+    "English Deutsch Português Brasil Español Français Alt Shift Control rad accelerateAndPlay",
+  )
   return new Set([...names, ...ready, ...words(content), ...words(program), ...others])
 }
 
