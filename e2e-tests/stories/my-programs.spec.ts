@@ -1,6 +1,7 @@
 /// The learner's own programs: their place, and one program in two tabs.
 
 import {expect, type Page} from "@playwright/test"
+import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
 import {test} from "./story.ts"
 
@@ -59,10 +60,20 @@ test("a function goes by the backpack into another program with its comment and 
   await learner.definition("drive").click({button: "right", position: {x: 8, y: 8}})
   await page.getByRole("menuitem", {name: "Put drive into the backpack"}).click()
   await expect(page.getByTestId("notice")).toContainText("It needs this, which came along: speed")
+  const backpack = page.getByRole("button", {name: "Backpack"})
+  const text = await learner.wholeHaskell()
+  const [from, to] = [await boxAtRest(learner.definition("speed")), await boxAtRest(backpack)]
+  await page.mouse.move(from.x + 8, from.y + 8)
+  await page.mouse.down()
+  await page.mouse.move(to.x + to.width / 2, to.y + to.height / 2, {steps: 8})
+  await expect(backpack).toHaveClass(/open/)
+  await page.mouse.up()
+  await expect(page.getByTestId("notice")).toContainText("speed is in the backpack.")
+  expect(await learner.wholeHaskell()).toBe(text)
+  await expect(learner.definition("speed")).toBeVisible()
   await learner.opens("accelerate")
   const before = await learner.wholeHaskell()
-  await page.getByRole("button", {name: "More", exact: true}).click()
-  await page.getByRole("button", {name: "Backpack"}).click()
+  await backpack.click()
   const dialog = page.getByRole("dialog", {name: "Backpack"})
   await expect(dialog).toContainText("drivewith speed")
   await learner.keeps("backpack")

@@ -44,6 +44,7 @@ function room(more: Partial<Preview>, seconds = 10): RoomState {
       {time: 10, x: more.x ?? 3, y: more.y ?? 1},
     ],
     collisions: [],
+    pen: [],
     goals: [],
     ...more,
   }

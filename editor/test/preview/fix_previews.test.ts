@@ -24,7 +24,7 @@ const shown = (texts: readonly string[], of = "old", list = "1"): PageEvent => (
 const answer = (id: number, path: Preview["path"] = [{time: 0, x: 1, y: 2}]) =>
   hear({
     op: "previewed",
-    preview: {id, ended: "time", time: 10, x: 3, y: 2, theta: 0, path, collisions: [], goals: []},
+    preview: {id, ended: "time", time: 10, x: 3, y: 2, theta: 0, path, collisions: [], goals: [], pen: []},
   })
 const run: PageEvent = {kind: "run-pressed", seed: 3}
 const ended = hear({op: "state", run: 1, state: "ended", ended: "stopped", problems: []}) // biome-ignore format: tables

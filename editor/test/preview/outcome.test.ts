@@ -18,7 +18,7 @@ const points = (all: Points): readonly PathPoint[] => all.map(([time, x, y]) => 
 /// A preview of 10 s that ends at the last point of its path.
 function preview(path: Points, bumps: Points = [], more: Partial<Preview> = {}): Preview {
   const [, x = 0, y = 0] = path.at(-1) ?? []
-  return {id: 1, ended: "time", time: 10, x, y, theta: 0, path: points(path), collisions: points(bumps), goals: [], ...more}
+  return {id: 1, ended: "time", time: 10, x, y, theta: 0, path: points(path), collisions: points(bumps), goals: [], pen: [], ...more}
 } // biome-ignore format: a table
 
 const done = {state: "done", time: 3} as const

@@ -7,6 +7,7 @@ import type {Frame, ServiceMessage} from "../../src/state/messages/messages.ts"
 import {type Preview, placeAt, shownPreview} from "../../src/state/messages/preview.ts"
 import type {PageEvent} from "../../src/state/page_events.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
+import {previewInk} from "../../src/state/runs/preview_ink.ts"
 import type {World} from "../../src/worlds/world.ts"
 
 const documentOf = (text: string): Document => ({...emptyDocument, program: {...emptyDocument.program, text}})
@@ -24,7 +25,7 @@ const frame = (time: number): PageEvent =>
   hear({op: "frame", frame: {run: 1, step: 1, time, x: 1, y: 2, theta: 0, channels: {}, fired: [], sensed: [],
     boxes: null, ghost: null, memory: null} satisfies Frame}) // biome-ignore format: a table
 const preview = (id: number, more: Partial<Preview> = {}): Preview => ({
-  id, ended: "time", time: 10, x: 3, y: 2, theta: 0, path: [{time: 0, x: 1, y: 2}], collisions: [], goals: [], ...more,
+  id, ended: "time", time: 10, x: 3, y: 2, theta: 0, path: [{time: 0, x: 1, y: 2}], collisions: [], goals: [], pen: [], ...more,
 }) // biome-ignore format: a table
 const answer = (id: number, more: Partial<Preview> = {}) =>
   hear({op: "previewed", preview: preview(id, more)})
@@ -176,5 +177,35 @@ describe("a place on a path", () => {
   it("is the last one before a time", () => {
     expect([0, 0.4, 0.5, 2.9, 9].map(time => placeAt(path, time)?.x)).toEqual([1, 1, 1.2, 1.2, 2])
     expect(placeAt([], 1)).toBeNull()
+  })
+})
+
+describe("the ink of a preview", () => {
+  const drawn = (pen: Preview["pen"]) =>
+    previewInk({path: [0, 1, 2, 3, 4].map(time => ({time, x: 1 + time, y: 1})), pen})
+
+  it("is none while the pen is up", () => {
+    expect(drawn([])).toEqual([])
+    expect(drawn([[1, 0, 2, 0.1]])).toEqual([])
+  })
+
+  it("has the colour and the width that the pen has from its time on", () => {
+    const strokes = drawn([
+      [1, 1, 1, 0.05],
+      [3, 1, 4, 0.1],
+    ])
+    expect(strokes.map(({color, width, points}) => [color, width, points.map(p => p.x)])).toEqual([
+      [1, 0.05, [1, 2, 3]],
+      [4, 0.1, [3, 4, 5]],
+    ])
+  })
+
+  it("ends where the pen goes up", () => {
+    const [stroke, ...others] = drawn([
+      [0, 1, 1, 0.05],
+      [3, 0, 1, 0.05],
+    ])
+    expect(stroke?.points.map(p => p.x)).toEqual([1, 2, 3])
+    expect(others).toEqual([])
   })
 })

@@ -18,6 +18,7 @@ export const backpack: Words["backpack"] = {
   cameAlong: names => `Das wird gebraucht und kam mit: ${names}`,
   notPacked: name => `${name} kann nicht in den Rucksack.`,
   notPackedHint: "Der Text ist unfertig. Bring ihn zuerst in Ordnung.",
+  onlyDefinitions: "In den Rucksack kommt nur eine Definition: ein Block mit eigenem Namen.",
   full: "Der Rucksack lässt sich nicht speichern.",
   fullHint:
     "Dieser Browser hat keinen Platz mehr. Entferne etwas aus dem Rucksack oder lösche alte Programme.",

@@ -16,6 +16,7 @@ export const backpack = {
   cameAlong: (names: string) => `It needs this, which came along: ${names}`,
   notPacked: (name: string) => `${name} cannot be put into the backpack.`,
   notPackedHint: "Its text is unfinished. Mend it first.",
+  onlyDefinitions: "Only a definition goes into the backpack: a block with a name of its own.",
   full: "The backpack cannot be stored.",
   fullHint: "This browser has no room left. Remove something from the backpack or delete old programs.",
   notUnpacked: (name: string) => `${name} cannot be taken out here.`,

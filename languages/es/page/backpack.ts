@@ -18,6 +18,7 @@ export const backpack: Words["backpack"] = {
   cameAlong: names => `Lo que necesita vino también: ${names}`,
   notPacked: name => `${name} no se puede guardar en la mochila.`,
   notPackedHint: "Su texto está sin terminar. Arréglalo primero.",
+  onlyDefinitions: "En la mochila solo entra una definición: un bloque con su propio nombre.",
   full: "La mochila no se puede guardar.",
   fullHint: "Este navegador no tiene más sitio. Quita algo de la mochila o elimina programas viejos.",
   notUnpacked: name => `${name} no se puede sacar a este programa.`,

@@ -18,6 +18,7 @@ export const backpack: Words["backpack"] = {
   cameAlong: names => `O que ele precisa veio junto: ${names}`,
   notPacked: name => `${name} não pode ir para a mochila.`,
   notPackedHint: "O texto não está pronto. Conserte primeiro.",
+  onlyDefinitions: "Na mochila só entra uma definição: um bloco com um nome próprio.",
   full: "Não foi possível guardar a mochila.",
   fullHint: "Este navegador não tem mais espaço. Tire algo da mochila ou apague programas antigos.",
   notUnpacked: name => `${name} não pode entrar neste programa.`,

@@ -1,10 +1,10 @@
 """
-Path recorder: what a page draws of a preview, taken step by step from its run.
+Path recorder: what a page draws of a preview, taken step by step from its run: path, collisions and the pen.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 from ..run.steps.lockstep import Lockstep
 from ..world.world import World
@@ -20,6 +20,9 @@ _MAX_POINTS = 2000
 _MAX_COLLISIONS = 100
 """Collisions that are told of one preview."""
 
+_MAX_PEN_CHANGES = 1000
+"""Changes of the pen that are told of one preview."""
+
 _CONTACT_PAUSE = 0.2
 """Contacts closer together than this are one collision, s: the hold of the safety rules after a contact."""
 
@@ -29,7 +32,7 @@ _LOOK = 10
 
 class PathRecorder:
     """
-    Path and collisions of a run, each point as time (s), x, y (m).
+    Path and collisions of a run, each point as time (s), x, y (m), and what the pen is from a time (s) on.
 
     Args:
         is_over: true when the run is to end early.
@@ -38,6 +41,10 @@ class PathRecorder:
     def __init__(self, world: World, is_over: Callable[[], bool]) -> None:
         self.path: list[tuple[float, float, float]] = [point_of(0.0, world)]
         self.collisions: list[tuple[float, float, float]] = []
+        self.pen: list[tuple[float, int, int, float]] = []
+        # The world replaces its outputs when a command changes one of them.
+        self._outputs = world.outputs
+        self._pen = _pen_of(world.outputs)
         self._is_over = is_over
         self._distance = _POINT_DISTANCE
         self._steps = 0
@@ -61,12 +68,33 @@ class PathRecorder:
             if now - self._touched > _CONTACT_PAUSE and len(self.collisions) < _MAX_COLLISIONS:
                 self.collisions.append(point_of(now, world))
             self._touched = now
+        if world.outputs is not self._outputs:
+            self._record_pen(lockstep.time, world)
+
+    def _record_pen(self, time: float, world: World) -> None:
+        """Take what the pen is now, with a point of the path where it changes."""
+        self._outputs = world.outputs
+        pen = _pen_of(world.outputs)
+        if pen is None or pen == self._pen or len(self.pen) >= _MAX_PEN_CHANGES:
+            return
+        self._pen = pen
+        point = point_of(time, world)
+        if self.path[-1][1:] != point[1:]:
+            self._add(point)
+        self.pen.append((point[0], *pen))
 
     def _add(self, point: tuple[float, float, float]) -> None:
         if len(self.path) >= _MAX_POINTS:
             self._distance *= 2
             self.path = self.path[::2]
         self.path.append(point)
+
+
+def _pen_of(outputs: Mapping[str, tuple[float | int | str, ...]]) -> tuple[int, int, float] | None:
+    """Up (0) or down (1), the number of the colour, and the width (m); ``None`` of a robot without a pen."""
+    if "Pen" not in outputs:
+        return None
+    return int(outputs["Pen"][0]), int(outputs["PenColor"][0]), float(outputs["PenWidth"][0])
 
 
 def point_of(time: float, world: World) -> tuple[float, float, float]:

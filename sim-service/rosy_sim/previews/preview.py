@@ -1,8 +1,8 @@
 """
 Preview of one program: a headless run with the inputs of another run, and what a page draws of it.
 
-The path, the collisions and the final pose are those that a run in the page would have with the same program, room,
-seed and hands.
+The path, the collisions, the final pose and the ink are those that a run in the page would have with the same program,
+room, seed and hands.
 """
 
 from __future__ import annotations
@@ -106,4 +106,5 @@ def _previewed(ident: int, result: RunResult, world: World, recorder: PathRecord
         recorder.collisions,
         [Goal(g.kind, g.title, g.state, round(g.progress, 2), g.time) for g in result.goals],
         result.problems,
+        recorder.pen,
     )

@@ -19,6 +19,8 @@ export interface Preview extends Pick<Previewed, "id" | "ended" | "time"> {
   /// Where the robot stands when it begins to touch something.
   readonly collisions: readonly PathPoint[]
   readonly goals: readonly Pick<Goal, "state" | "time">[]
+  /// From when on the pen is down, 1, or up, 0, with the number of its colour and its width, m.
+  readonly pen: Previewed["pen"]
 }
 
 export interface PreviewState {
@@ -84,7 +86,7 @@ export function placeAt(path: readonly PathPoint[], time: number): PathPoint | n
 
 const point = ([time, x, y]: readonly [number, number, number]): PathPoint => ({time, x, y})
 
-export function previewOf({id, ended, time, goals, pose, path, collisions}: Previewed): Preview {
+export function previewOf({id, ended, time, goals, pose, path, collisions, pen}: Previewed): Preview {
   const [x, y, theta] = pose
-  return {id, ended, time, goals, x, y, theta, path: path.map(point), collisions: collisions.map(point)}
+  return {id, ended, time, goals, x, y, theta, path: path.map(point), collisions: collisions.map(point), pen}
 }

@@ -25,6 +25,7 @@ import {cameraOf, focusedBlock} from "./camera.ts"
 import {ChangeTracking} from "./change_tracking.ts"
 import {measureWhenFontsArrive} from "./construction/font_loading.ts"
 import type {Language} from "./construction/language.ts"
+import {openBackpackTarget} from "./dragging/backpack_target.ts"
 import {openBin} from "./dragging/bin.ts"
 import {cancelMovement, RefusalMessage} from "./dragging/block_drag.ts"
 import {checkerName} from "./dragging/connection_checker.ts"
@@ -34,6 +35,7 @@ import {syncClipboard} from "./interaction/clipboard.ts"
 import {chooseNextPlace} from "./interaction/filling_keys.ts"
 import {insertByClick, restoreFocus, selectSocketByClick} from "./interaction/focus.ts"
 import {selectedBlock, selectedPlaces} from "./interaction/insertion_points.ts"
+import {say} from "./interaction/toast.ts"
 import {focusSearch, forgetSearch, offerBlocks, toolboxInfo} from "./interaction/toolbox.ts"
 import {connectToolbox, type ToolboxActions} from "./interaction/toolbox_context.ts"
 import {blocklyTheme, openView, register} from "./registration.ts"
@@ -68,6 +70,9 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
   const closeBin = openBin(workspace, host, changes.isNew, block =>
     insertBlock(workspace, block, [], changes.checker),
   )
+  const closeBackpack =
+    options.backpack &&
+    openBackpackTarget(workspace, host, options.backpack, changes.isNew, why => say(workspace, why))
   const sharing = options.clipboard && syncClipboard(workspace, options.clipboard, canLoad)
   const zoom = zoomButtons(host, workspace)
   const {camera, resized} = cameraOf(workspace, deferred)
@@ -115,6 +120,7 @@ export function openBlocks(host: HTMLElement, options: BlocksOptions): BlocksVie
       sharing?.stop()
       indoors?.()
       closeBin()
+      closeBackpack?.()
       marks.dispose()
       deferred.dispose()
       stopScrollBars()

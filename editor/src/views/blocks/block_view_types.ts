@@ -6,6 +6,7 @@ import type {CommentOnBlock} from "./appearance/teacher_comments.ts"
 import type {BlockValue} from "./appearance/value_labels.ts"
 import type {Language} from "./construction/language.ts"
 import type {Tone} from "./construction/theme.ts"
+import type {BackpackAccess} from "./dragging/backpack_target.ts"
 import type {TextDropTarget} from "./dragging/text_drop_target.ts"
 import type {SharedClipboard} from "./interaction/clipboard.ts"
 
@@ -29,14 +30,6 @@ export interface BlocksOptions {
   /// Questions about the run, as far as the page takes them.
   readonly questions?: Questions
   readonly backpack?: BackpackAccess
-}
-
-/// The backpack, as far as the menus of the blocks need it.
-export interface BackpackAccess {
-  /// The definition around a block; `null` where there is none that can be put in.
-  definitionAt(block: BlockId): string | null
-  put(name: string): void
-  open(): void
 }
 
 export interface Questions {

@@ -1,8 +1,10 @@
-/// Drawing of a preview below the trail: a dashed path, the robot's outline where it would end, crosses where it would touch something, and ticks or crosses for goals.
+/// Drawing of a preview below the trail: the ink of its pen, a dashed path, the robot's outline where it would end, crosses where it would touch something, and ticks or crosses for goals.
 
 import type {PathPoint, Preview} from "../../state/messages/preview.ts"
 import {placeAt} from "../../state/messages/preview.ts"
+import {previewInk} from "../../state/runs/preview_ink.ts"
 import type {Palette} from "./palette.ts"
+import {drawInk} from "./trail_drawing.ts"
 
 /// Sizes on the screen, pixels.
 const lineWidth = 3
@@ -11,6 +13,8 @@ const markRadius = 7
 
 /// How much of a preview is seen that is about the program before the last change.
 const faded = 0.45
+/// How much of its ink is seen: the ink of a run covers the floor.
+const inkOpacity = 0.5
 
 /// Draws in metres; `scale` is pixels per metre. `current`: it is about the program as it is now.
 export function drawPreview(
@@ -22,7 +26,10 @@ export function drawPreview(
   robotRadius: number,
 ): void {
   ctx.save()
-  ctx.globalAlpha = current ? 1 : faded
+  const opacity = current ? 1 : faded
+  ctx.globalAlpha = opacity * inkOpacity
+  drawInk(ctx, previewInk(preview), palette, scale)
+  ctx.globalAlpha = opacity
   ctx.strokeStyle = palette.preview
   ctx.lineJoin = "round"
   ctx.lineCap = "butt"

@@ -42,7 +42,8 @@ export interface PreparePreviews {
 
 /// Where a program would drive, with the room, the seed and the hands of the last run. Points are time (s), x, y (m),
 /// the pose is x, y, theta (m, rad). `time` (s) is how long it ran. `unrepeatable`: the last run had more actions than
-/// are recorded.
+/// are recorded. `pen` has what the pen is from a time (s) on: 0 up or 1 down, the number of its colour, its width (m);
+/// it is up before the first.
 export interface Previewed {
   readonly op: "previewed"
   readonly id: number
@@ -53,6 +54,7 @@ export interface Previewed {
   readonly collisions: readonly (readonly [number, number, number])[]
   readonly goals: readonly runs.Goal[]
   readonly problems: readonly problem.Problem[]
+  readonly pen: readonly (readonly [number, number, number, number])[]
 }
 export const previewed: read.Decoder<Previewed> = /*#__PURE__*/ read.struct<Previewed>({
   op: read.tag("previewed"),
@@ -64,6 +66,7 @@ export const previewed: read.Decoder<Previewed> = /*#__PURE__*/ read.struct<Prev
   collisions: read.items(read.tuple(read.number, read.number, read.number)),
   goals: read.items(runs.goal),
   problems: read.items(problem.problem),
+  pen: read.absent(read.items(read.tuple(read.number, read.integer, read.integer, read.number)), []),
 })
 
 /// The checks of the lesson's step that the page has chosen. `run` is `null` while they are about the program only;

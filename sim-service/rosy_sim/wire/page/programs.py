@@ -54,7 +54,8 @@ class Previewed(msgspec.Struct, tag="previewed", tag_field="op"):
     """
     Where a program would drive, with the room, the seed and the hands of the last run. Points are time (s), x, y (m),
     the pose is x, y, theta (m, rad). ``time`` (s) is how long it ran. ``unrepeatable``: the last run had more actions
-    than are recorded.
+    than are recorded. ``pen`` has what the pen is from a time (s) on: 0 up or 1 down, the number of its colour, its
+    width (m); it is up before the first.
     """
 
     id: int
@@ -65,6 +66,7 @@ class Previewed(msgspec.Struct, tag="previewed", tag_field="op"):
     collisions: list[tuple[float, float, float]]
     goals: list[Goal]
     problems: list[Problem]
+    pen: list[tuple[float, int, int, float]] = []
 
 
 class ChecksShown(msgspec.Struct, tag="checks", tag_field="op"):

@@ -182,6 +182,13 @@ export const styleSheet = `
 .rosyDeleted:hover { background: var(--sunken); }
 .rosyDeleted:focus-visible { outline: 2px solid var(--focus); }
 
+/* The backpack lies above the zoom buttons, and above the bin while a block is dragged. */
+.rosyBackpack { position: absolute; inset-inline-end: 16px; bottom: 74px; z-index: 200; width: 40px; height: 40px; display: grid; place-items: center; border: 1px solid var(--line); border-radius: 10px; background: var(--paper); color: var(--ink); cursor: pointer; }
+.rosyBackpack:hover { background: var(--sunken); }
+.rosyBackpack:focus-visible { outline: 2px solid var(--focus); }
+.rosyBackpack.ready { border: 2px dashed var(--ok); color: var(--ok); }
+.rosyBackpack.open { border-style: solid; background: var(--ok); color: var(--paper); transform: scale(1.15); }
+
 .rosyZoom { position: absolute; inset-inline-end: 16px; bottom: 16px; z-index: 30; display: flex; gap: 4px; background: var(--paper); border: 1px solid var(--line); border-radius: 10px; padding: 3px; }
 .rosyZoom button { width: 32px; height: 32px; border: 0; border-radius: 7px; background: none; color: var(--ink); font: 500 17px Inter, system-ui, sans-serif; cursor: pointer; display: grid; place-items: center; }
 .rosyZoom button:hover { background: var(--sunken); }
