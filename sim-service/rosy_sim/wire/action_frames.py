@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Any
 
 from ..robot_description import simulated
-from ..robots.shared.navigate_drive import NAVIGATE_ACTION
 from ..world.action_goals import ActionReply
 from .link_messages import SendActionGoal
 
@@ -23,7 +22,8 @@ _SUBSTITUTED = ("undock", "drive_distance", "rotate_angle")
 
 def action_name(action: str) -> str:
     """The name that the simulated robot gives an action which its description names; others stay as they are."""
-    named: dict[str, str] = {"navigate_to": NAVIGATE_ACTION, **simulated()["profiles"]["ros1"]}
+    # ROS 1 has no Nav2.
+    named: dict[str, str] = {"navigate_to": "/navigate_to_pose", **simulated()["profiles"]["ros1"]}
     return named.get(action, action)
 
 

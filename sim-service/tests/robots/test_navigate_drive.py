@@ -95,7 +95,8 @@ def test_what_is_put_into_its_way_ends_it() -> None:
         results = [reply for reply in world.actions.take_replies("me") if reply.kind == "result"]
         if results:
             break
-    assert [(reply.status, reply.values["error_msg"]) for reply in results] == [(ABORTED, "something is in the way")]
+    stuck = {"error_code": 105, "error_msg": "something is in the way"}
+    assert [(reply.status, reply.values) for reply in results] == [(ABORTED, stuck)]
 
 
 @pytest.mark.parametrize("bad", [{"pose": 1}, {"pose": {"pose": {"position": {"x": "far"}}}}, goal(math.inf, 0)])
