@@ -141,6 +141,7 @@ export function openDiagram(host: HTMLElement, options: DiagramOptions): Diagram
     explain: path => drawing.explain(path),
     tidy() {
       layout = null
+      drawing.fit()
       void draw()
     },
     place(places) {

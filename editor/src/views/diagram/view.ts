@@ -3,6 +3,7 @@
 import {type DrawnEdge, drawEdge} from "./drawing/edge_drawing.ts"
 import {openNodeDrag} from "./drawing/node_drag.ts"
 import {type DrawnNode, drawNode, fitting} from "./drawing/node_drawing.ts"
+import {openPinchZoom, type PinchZoom} from "./drawing/pinch_zoom.ts"
 import {svgElement} from "./drawing/svg_element.ts"
 import type {DrawnDiagram, ViewOptions} from "./drawing/view_types.ts"
 import type {Point} from "./layout/geometry.ts"
@@ -14,8 +15,9 @@ import {explained} from "./network/explained.ts"
 import {firstOf, isContainer, isJoin, type Network, shortened, valuedNode} from "./network/network.ts"
 import {contestedText, outline} from "./network/outline.ts"
 
-/// A drawing is scrolled before it becomes smaller than this share of its size, so that it can be read at arm's length.
-const leastScale = 0.66
+/// A drawing is scrolled before it becomes smaller than this share of its size, so that it can be read at arm's length; for fingers, so that they meet its
+/// nodes.
+const leastScale = matchMedia("(pointer: coarse)").matches ? 1 : 0.66
 
 /// Free space around the drawing.
 const border = 24
@@ -26,6 +28,7 @@ export const openDrawing = (host: HTMLElement, options: ViewOptions): DrawnDiagr
 class SvgDiagram implements DrawnDiagram {
   readonly svg: SVGSVGElement
   private readonly options: ViewOptions
+  private readonly zoom: PinchZoom
   private readonly containers = svgElement("g")
   private readonly edgeLayer = svgElement("g")
   private readonly nodeLayer = svgElement("g")
@@ -57,6 +60,9 @@ class SvgDiagram implements DrawnDiagram {
     })
     this.svg.append(this.containers, this.edgeLayer, this.nodeLayer, this.labelLayer)
     host.append(this.svg)
+    this.zoom = openPinchZoom(host, this.svg, width => {
+      this.svg.style.minWidth = `${width * leastScale}px`
+    })
     this.svg.addEventListener("pointerover", event => this.point(event.target))
     this.svg.addEventListener("focusin", event => {
       this.point(event.target)
@@ -75,7 +81,7 @@ class SvgDiagram implements DrawnDiagram {
     this.svg.setAttribute("viewBox", `${-border} ${-border} ${w} ${h}`)
     this.svg.setAttribute("width", `${w}`)
     this.svg.setAttribute("height", `${h}`)
-    this.svg.style.minWidth = `${w * leastScale}px`
+    this.zoom.apply(w)
     this.drawNodes(layout)
     this.drawEdges(layout)
     if (this.current === null || !this.nodes.has(this.current)) this.current = firstOf(network)?.id ?? null
@@ -100,6 +106,10 @@ class SvgDiagram implements DrawnDiagram {
     this.wroteAt = now
     const pointedAt = nodes.get(this.pointedAt ?? "")
     if (pointedAt !== undefined) this.setTitle(pointedAt)
+  }
+
+  fit(): void {
+    this.zoom.reset()
   }
 
   setMoving(on: boolean): void {

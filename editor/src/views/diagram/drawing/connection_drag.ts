@@ -3,11 +3,12 @@
 
 import type {Point} from "../layout/geometry.ts"
 import type {ConnectionEnd} from "../network/connections.ts"
+import {type Grip, openVerdicts, type Verdict} from "./connection_verdict.ts"
 import {svgElement} from "./svg_element.ts"
 
 export interface ConnectionDragOptions {
-  /// What a connection would be, in words.
-  verdict(from: ConnectionEnd, to: ConnectionEnd): {readonly fits: boolean; readonly text: string}
+  /// What a connection would be, in words. It may take longer than a frame: the edit is tried out.
+  verdict(from: ConnectionEnd, to: ConnectionEnd): Verdict
   /// `at` is in pixels of the window.
   dropped(from: ConnectionEnd, to: ConnectionEnd, at: Point): void
 }
@@ -30,11 +31,6 @@ export function openConnectionDrag(stage: HTMLElement, options: ConnectionDragOp
     end?.()
     stage.removeEventListener("pointerdown", down)
   }
-}
-
-interface Grip {
-  readonly element: HTMLElement | SVGElement
-  readonly end: ConnectionEnd
 }
 
 function endAt(target: EventTarget | null): Grip | null {
@@ -65,11 +61,10 @@ function follow(
   note.className = "connection-note"
   let isDragging = false
   let target: Grip | null = null
+  // The stage stays where it is while something is dragged: asked again and again, its place would be computed in each frame.
+  const stageBox = stage.getBoundingClientRect()
 
-  const inStage = (x: number, y: number): Point => {
-    const {left, top} = stage.getBoundingClientRect()
-    return {x: x - left, y: y - top}
-  }
+  const inStage = (x: number, y: number): Point => ({x: x - stageBox.left, y: y - stageBox.top})
   const start = () => {
     isDragging = true
     const box = from.element.getBoundingClientRect()
@@ -79,18 +74,10 @@ function follow(
     stage.classList.add("connecting")
     stage.setPointerCapture(down.pointerId)
   }
+  const say = openVerdicts(note, to => options.verdict(from.end, to))
   const point = (next: Grip | null) => {
-    if (next?.element === target?.element) return
-    target?.element.classList.remove("fits", "misfits")
     target = next
-    if (next === null) {
-      note.textContent = ""
-      return
-    }
-    const {fits, text} = options.verdict(from.end, next.end)
-    next.element.classList.add(fits ? "fits" : "misfits")
-    note.textContent = text
-    note.classList.toggle("misfits", !fits)
+    say(next)
   }
   const move = (event: PointerEvent) => {
     if (event.pointerId !== down.pointerId) return
@@ -98,10 +85,11 @@ function follow(
       if (Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) <= slack) return
       start()
     }
+    // Before anything is changed: the browser would have to compute the layout anew to answer.
+    const element = document.elementFromPoint(event.clientX, event.clientY)
     const {x, y} = inStage(event.clientX, event.clientY)
     line.setAttribute("d", `M${line.dataset["from"]}L${x} ${y}`)
-    note.style.transform = `translate(${Math.min(x + 14, stage.clientWidth - 250)}px, ${y + 16}px)`
-    const element = document.elementFromPoint(event.clientX, event.clientY)
+    note.style.transform = `translate(${Math.min(x + 14, stageBox.width - 250)}px, ${y + 16}px)`
     const under = endAt(element) ?? freeSpace(from, element)
     point(under?.element === from.element ? null : under)
   }
@@ -125,10 +113,15 @@ function follow(
     stop()
     if (to !== null) options.dropped(from.end, to.end, {x: event.clientX, y: event.clientY})
   }
+  // A second finger zooms.
+  const other = (event: PointerEvent) => {
+    if (event.pointerId !== down.pointerId) stop()
+  }
   const key = (event: KeyboardEvent) => {
     if (event.key === "Escape") stop()
   }
   const listeners = [
+    ["pointerdown", other],
     ["pointermove", move],
     ["pointerup", up],
     ["pointercancel", stop],

@@ -38,6 +38,8 @@ export interface ViewOptions {
 export interface DrawnDiagram {
   readonly svg: SVGSVGElement
   show(network: Network, layout: Layout): void
+  /// Undoes the zoom.
+  fit(): void
   /// Whether a drag moves a node, and connects none.
   setMoving(on: boolean): void
   /// Marks the functions of this name, and the step of this block.

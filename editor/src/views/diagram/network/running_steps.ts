@@ -13,11 +13,16 @@ interface Firings {
   readonly time: number
 }
 
-/// What steps of the library fire when they begin, where that is not their own name.
-const firedBy: {readonly [step: string]: readonly string[]} = {
+/// What steps of the library fire when they begin, where that is not their own name. A test holds it against `rosy-hs/src/Rosy/Motion.hs`.
+export const firedBy: {readonly [step: string]: readonly string[]} = {
   driveBack: ["once"],
   blink: ["once"],
   beep: ["once"],
+  penDown: ["once"],
+  penUp: ["once"],
+  penColor: ["once"],
+  penWidth: ["once"],
+  eitherOr: ["dice"],
   driveUntilBump: ["start of a task"],
   driveUntil: ["start of a task"],
   curveUntilObstacle: ["start of a task"],

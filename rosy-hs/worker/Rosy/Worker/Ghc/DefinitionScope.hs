@@ -70,12 +70,17 @@ call scope x = case applied x of
 applied :: LHsExpr GhcPs -> Maybe (String, [LHsExpr GhcPs])
 applied = go []
   where
-    go args (L _ x) = case x of
+    go args whole@(L _ x) = case x of
       HsVar _ (L _ n) | isUnqual n, isVarOcc (rdrNameOcc n) -> Just (plain n, args)
       HsApp _ f a -> go (a : args) f
-      OpApp _ f (L _ (HsVar _ (L _ op))) a | plain op == "$" -> go (a : args) f
+      -- The parser groups every operator to the left, and @f $ g $ x@ is @f (g x)@.
+      OpApp z (L _ (OpApp y f d g)) e a | isDollar d, isDollar e -> go args (At (spanOf whole) (OpApp y f d (At (combineSrcSpans (spanOf g) (spanOf a)) (OpApp z g e a))))
+      OpApp _ f op a | isDollar op -> go (a : args) f
       Paren y | not (null args) || isVariable y -> go args y
       _ -> Nothing
+    isDollar (L _ y) = case y of
+      HsVar _ (L _ op) -> plain op == "$"
+      _ -> False
     isVariable (L _ y) = case y of
       HsVar {} -> True
       _ -> False
