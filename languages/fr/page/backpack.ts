@@ -18,7 +18,7 @@ export const backpack: Words["backpack"] = {
   cameAlong: names => `Ce qu’il lui faut est venu avec : ${names}`,
   notPacked: name => `${name} ne peut pas aller dans le sac à dos.`,
   notPackedHint: "Son texte n’est pas fini. Répare-le d’abord.",
-  onlyDefinitions: "Seule une définition va dans le sac à dos : un bloc qui a son propre nom.",
+  onlyDefinitions: "Seule une définition va dans le sac à dos : un bloc qui a son propre nom.",
   full: "Le sac à dos ne peut pas être enregistré.",
   fullHint:
     "Ce navigateur n’a plus de place. Retire quelque chose du sac à dos ou supprime d’anciens programmes.",
