@@ -59,6 +59,7 @@ _EXEMPT = {
     "ros2/transports/dds_messages.py": "answers to ROS clients",
     "ros2/outgoing_frames.py": "answers to ROS clients",
     "robots/kobuki/dock_drive.py": "results of an action, in upstream's words",
+    "robots/shared/navigate_drive.py": "results of an action, which the page words",
     "wire/action_frames.py": "answers to ROS clients",
     "world/action_goals.py": "answers to ROS clients",
     "wire/ros/ros_messages.py": "answers to ROS clients",

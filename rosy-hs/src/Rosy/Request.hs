@@ -95,7 +95,7 @@ replyEnding frame = case frame of
   where
     is key value o = KeyMap.lookup key o == Just (String value)
     why o = textOf (KeyMap.lookup "values" o)
-    -- kobuki_msgs/AutoDocking has a text; nav2_msgs/NavigateToPose an error message, before ROS 2 Kilted only a number.
+    -- Docking as ROS 1 knows it (AutoDocking) has a text; nav2_msgs/NavigateToPose an error message, before ROS 2 Kilted only a number.
     reason o = case KeyMap.lookup "values" o of
       Just (Object values) -> fromMaybe "" (find (not . Text.null) ([textOf (KeyMap.lookup key values) | key <- ["text", "error_msg"]] ++ [numbered n | Just (Number n) <- [KeyMap.lookup "error_code" values], n /= 0]))
       _ -> ""

@@ -27,6 +27,9 @@ NAVIGATE_ACTION = "/navigate_to_pose"
 _NO_WAY, _HELD_UP = 208, 105
 """nav2_msgs, action/ComputePathToPose.action: NO_VALID_PATH; action/FollowPath.action: FAILED_TO_MAKE_PROGRESS."""
 
+_MESSAGES = {0: "", _NO_WAY: "no way leads there", _HELD_UP: "something is in the way"}
+"""What the server says of a code, in English as servers do; the page translates it (``robotTexts`` in its words)."""
+
 _MARGIN = CELL
 """Free way around the robot on its path, m: between two cells it is less."""
 
@@ -58,7 +61,7 @@ class NavigateDrive:
 
     def canceled(self) -> dict[str, Any]:
         """The result of a goal that was cancelled."""
-        return _result(0, "")
+        return _result(0)
 
     def step(self, robot: Surroundings) -> Driving | Finished:
         """The next 20 ms."""
@@ -70,7 +73,7 @@ class NavigateDrive:
             if found is None:
                 return Driving(0.0, 0.0, {"distance_remaining": 0.0})
             if not found:
-                return Finished(ABORTED, _result(_NO_WAY, "no way leads there"))
+                return Finished(ABORTED, _result(_NO_WAY))
             self._corners = found
         here = (robot.x, robot.y)
         while len(self._corners) > 1 and math.dist(here, self._corners[0]) < _NEAR:
@@ -80,7 +83,7 @@ class NavigateDrive:
         if away > self._nearest - 0.02 and away > _AT:
             self._waited += 1
             if self._waited > _PATIENCE:
-                return Finished(ABORTED, _result(_HELD_UP, "something is in the way"))
+                return Finished(ABORTED, _result(_HELD_UP))
         else:
             self._nearest, self._waited = away, 0
         left = away + sum(math.dist(a, b) for a, b in zip(self._corners, self._corners[1:], strict=False))
@@ -88,7 +91,7 @@ class NavigateDrive:
         if len(self._corners) == 1 and away < _AT:
             deviation = wrapped(self._facing - robot.theta)
             if abs(deviation) < _FACING:
-                return Finished(SUCCEEDED, _result(0, ""))
+                return Finished(SUCCEEDED, _result(0))
             return Driving(0.0, _limited(3 * deviation), feedback)
         bearing = wrapped(math.atan2(self._corners[0][1] - robot.y, self._corners[0][0] - robot.x) - robot.theta)
         ahead = max(0.03, min(_SPEED, away)) if abs(bearing) < 0.2 else 0.0
@@ -106,8 +109,8 @@ def _limited(turn: float) -> float:
     return max(-_TURN, min(_TURN, turn))
 
 
-def _result(code: int, why: str) -> dict[str, Any]:
-    return {"error_code": code, "error_msg": why}
+def _result(code: int) -> dict[str, Any]:
+    return {"error_code": code, "error_msg": _MESSAGES[code]}
 
 
 def _read_pose(goal: Mapping[str, Any]) -> tuple[float, float, float]:
