@@ -5,7 +5,10 @@ import {speak, type Words} from "./words/index.ts"
 type Environment = Readonly<Record<string, string | undefined>>
 
 /// Tables of the languages besides English, by the path of their file.
-const tables = import.meta.glob<Words>("../../languages/*/blocks/index.ts", {import: "table", eager: true})
+const tables = import.meta.glob<Words>(["../../languages/*/blocks/index.ts", "!../../languages/en/**"], {
+  import: "table",
+  eager: true,
+})
 
 /// The first variable that is set and not empty names the language. POSIX.1-2017, Base Definitions, section 8.2.
 const variables = ["ROSY_LOCALE", "LC_ALL", "LC_MESSAGES", "LANG"]

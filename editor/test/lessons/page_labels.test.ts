@@ -2,11 +2,8 @@
 
 import {readdirSync, readFileSync} from "node:fs"
 import {expect, test} from "vitest"
-import {german} from "../../src/words/de/index.ts"
-import type {en} from "../../src/words/en/index.ts"
-import {spanish} from "../../src/words/es/index.ts"
-import {french} from "../../src/words/fr/index.ts"
-import {portuguese} from "../../src/words/pt/index.ts"
+import type {en} from "../../../languages/en/page/index.ts"
+import {translations} from "../translations.ts"
 
 const lessons = new URL("../../../examples/lessons/", import.meta.url)
 const names = readdirSync(lessons, {withFileTypes: true}).flatMap(entry =>
@@ -34,12 +31,7 @@ function* pairs(one: unknown, other: unknown): Generator<readonly [string, strin
 const read = (name: string, tag: string): unknown =>
   JSON.parse(readFileSync(new URL(`${name}/texts/${tag}.json`, lessons), "utf8"))
 
-test.each([
-  ["de", german.page],
-  ["es", spanish.page],
-  ["fr", french.page],
-  ["pt", portuguese.page],
-] as const)("in %s", (tag, page) => {
+test.each(translations)("in $tag", ({tag, page}) => {
   const otherwise: string[] = []
   let count = 0
   for (const name of names)

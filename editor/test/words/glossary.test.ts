@@ -88,7 +88,12 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
       not: /\b([Vv]ire|[Vv]ira|virada)\b/,
       files: /(blocks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/,
     },
-    {idea: "pressed bumper", word: "pressionado", not: /apertado/, files: /^(docs|examples)|^languages\/pt\/page/},
+    {
+      idea: "pressed bumper",
+      word: "pressionado",
+      not: /apertado/,
+      files: /^(docs|examples)|^languages\/pt\/page/,
+    },
     {idea: "to run a program", word: "executar", not: /não roda\b|Rodar|programa rod/},
     {idea: "sensor", word: "sensor", not: /dois sentidos/},
   ],

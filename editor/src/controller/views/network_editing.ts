@@ -39,13 +39,7 @@ export function networkEditing(
 ): NetworkEditing {
   // Types of definitions that stay the same are remembered from one edit to the next.
   const session = new network.InferenceSession()
-  let known: {readonly workspace: unknown; readonly written: WrittenNetwork} | null = null
-  const written = () => {
-    const {workspace} = store.now.document
-    if (known?.workspace !== workspace)
-      known = {workspace, written: network.writtenNetwork(workspace, session)}
-    return known.written
-  }
+  const written = rememberedNetwork(workspace => network.writtenNetwork(workspace, session), store)
   const tryOut = (action: NetworkAction, declares?: DeclaredType) => {
     const {view} = store.now.document
     return parts.reader === null || view === null
@@ -131,6 +125,19 @@ export function networkEditing(
           : network.definitionEdit(parts.reader, view, name, text),
       )
     },
+  }
+}
+
+/// The network of the page's blocks, made again only when they are others.
+function rememberedNetwork(
+  make: (workspace: Store["now"]["document"]["workspace"]) => WrittenNetwork,
+  store: Store,
+): () => WrittenNetwork {
+  let known: {readonly workspace: unknown; readonly written: WrittenNetwork} | null = null
+  return () => {
+    const {workspace} = store.now.document
+    if (known?.workspace !== workspace) known = {workspace, written: make(workspace)}
+    return known.written
   }
 }
 
