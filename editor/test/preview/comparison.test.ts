@@ -96,7 +96,7 @@ describe("a preview is told", () => {
   it.each([
     ["German", german, "Nur die ersten 2,0 s sind zu sehen: Mehr auszurechnen dauert zu lange."],
     ["Spanish", spanish, "Solo se muestran los primeros 2,0 s: calcular más lleva demasiado tiempo."],
-    ["French", french, "Seules les premières 2,0 s sont montrées : calculer plus prend trop de temps."],
+    ["French", french, "Seules les premières 2,0 s sont montrées\u00a0: calculer plus prend trop de temps."],
     ["Portuguese", portuguese, "Só os primeiros 2,0 s são mostrados: calcular mais demora demais."],
   ])("that was cut, in %s", (_, {page, measures: write}, sentence) => {
     expect(said(room({time: 2}, 10), page as typeof words, write)).toContain(` ${sentence}`)

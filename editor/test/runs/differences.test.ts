@@ -128,7 +128,7 @@ describe("the sentence about a real robot and its twin", () => {
     ],
     [
       french,
-      "Après 4,0 s : le vrai robot a tourné de 23° de moins, a roulé 12 cm de plus et a heurté quelque chose : à 3,2 s (le simulé : jamais).",
+      "Après 4,0 s\u00a0: le vrai robot a tourné de 23° de moins, a roulé 12 cm de plus et a heurté quelque chose\u00a0: à 3,2 s (le simulé\u00a0: jamais).",
     ],
   ])("in another language", (language, sentence) => {
     expect(twinSentence(found, language.page.twin, language.measures)).toBe(sentence)

@@ -127,14 +127,13 @@ realLink clock' seconds control' connection' = do
         atRest = pure ()
       }
 
--- | Waits for the robot. The first tick comes with the first step, as in the simulator, and the next one 100 ms later.
+-- | Waits for the robot. The first tick comes 100 ms after it is there.
 openRobot :: RealRun -> [Topic] -> IO Opening
 openRobot run topics = do
   registerTopics (connection run) topics >>= mapM_ tellPerson
   complain run (IsAwaited unknownReason)
   awaitRobot run
   now (clock run) >>= writeIORef (beganAt run)
-  atomically (writeTVar (tickDue (clock run)) True)
   startTicks (clock run)
   Opening <$> randomIO <*> today (clock run)
 

@@ -23,7 +23,7 @@ tests =
     "a program on a robot's link"
     [ testCase "that was frozen does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
       testCase "that was away for a moment only hears everything" (afterFreeze longestAbsence @?>= [press, position]),
-      testCase "gets its first tick with its first step, as in the simulator, and the others from there on" (firstTick @?>= (1, Just True))
+      testCase "gets its first tick 100 ms after the robot is there, not after the link began to wait" (firstTick @?>= (1, False))
     ]
   where
     act @?>= expected = act >>= (@?= expected)
@@ -45,15 +45,14 @@ afterFreeze seconds = do
   atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
   maybe [] batchMessages <$> next link
 
--- | How often the ticks of the clock have been started when the robot is there, and whether the first step has one.
-firstTick :: IO (Int, Maybe Bool)
+-- | How often the ticks of the clock have been started when the robot is there, and whether one is due then.
+firstTick :: IO (Int, Bool)
 firstTick = do
-  (link, _, started) <- newTVarIO 0 >>= \time -> newTVarIO [Connected] >>= linkWith time
+  (link, due, started) <- newTVarIO 0 >>= \time -> newTVarIO [Connected] >>= linkWith time
   before <- readTVarIO started
   _ <- open link []
   after <- readTVarIO started
-  step <- next link
-  pure (after - before, batchTick <$> step)
+  (,) (after - before) <$> readTVarIO due
 
 -- | A link to a robot of which these events are queued: whether its tick is due, and how often its clock was started.
 linkWith :: TVar Double -> TVar [RobotEvent] -> IO (Link, TVar Bool, TVar Int)
