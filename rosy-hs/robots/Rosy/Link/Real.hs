@@ -27,7 +27,7 @@ import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
 import Control.Concurrent.STM
 import Control.Exception (throwIO)
-import Control.Monad (forM_, unless, void, when, (>=>))
+import Control.Monad (forM_, unless, when, (>=>))
 import Data.IORef
 import Data.Maybe (isNothing)
 import qualified Data.Text as T
@@ -72,24 +72,21 @@ data Clock = Clock
     -- | the time of day, seconds
     today :: IO Double,
     -- | becomes true when a tick is due; taking the tick resets it
-    tickDue :: TVar Bool,
-    -- | lets ticks be due from now on, the first after 100 ms
-    startTicks :: IO ()
+    tickDue :: TVar Bool
   }
 
--- | The system's clocks, and ten ticks a second (the default rate, rule R3) from 'startTicks' on while the action runs. A program that
+-- | The system's clocks, and ten ticks a second (the default rate, rule R3) while the action runs. A program that
 -- is late gets one tick, not all that it has missed.
 withClock :: (Clock -> IO a) -> IO a
 withClock use = do
   due <- newTVarIO False
-  start <- newEmptyTMVarIO
-  let beat began n = do
+  began <- getMonotonicTime
+  let beat n = do
         t <- getMonotonicTime
         threadDelay (max 0 (ceiling ((began + fromIntegral n / 10 - t) * 1e6)))
         atomically (writeTVar due True)
-        beat began (n + 1 :: Int)
-      begin = getMonotonicTime >>= void . atomically . tryPutTMVar start
-  withAsync (atomically (readTMVar start) >>= \began -> beat began 1) (const (use (Clock bootSeconds secondsOfDay due begin)))
+        beat (n + 1 :: Int)
+  withAsync (beat 1) (const (use (Clock bootSeconds secondsOfDay due)))
 
 -- | A run as a link sees it: what it was opened with, and what changes.
 data RealRun = RealRun
@@ -127,14 +124,13 @@ realLink clock' seconds control' connection' = do
         atRest = pure ()
       }
 
--- | Waits for the robot. The first tick comes 100 ms after it is there.
+-- | Waits for the robot.
 openRobot :: RealRun -> [Topic] -> IO Opening
 openRobot run topics = do
   registerTopics (connection run) topics >>= mapM_ tellPerson
   complain run (IsAwaited unknownReason)
   awaitRobot run
   now (clock run) >>= writeIORef (beganAt run)
-  startTicks (clock run)
   Opening <$> randomIO <*> today (clock run)
 
 -- | Until the robot is there, or the run is to stop.
