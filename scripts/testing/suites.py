@@ -65,7 +65,7 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
         # First and not in the background: after `start` it also links the worker and the robot program again, which other suites run.
         replace(check("build-hs", PYTHON, "scripts/testing/haskell.py", "build"), background=False),
         # Stories and Python tests wait for simulated robots and for limits of time during about half of their time, so they have more
-        # processes than cores. One of the three suites that take half a core runs beside both.
+        # processes than cores. No other suite runs beside both: stories take more than one core, and a drag needs processor time.
         Suite("e2e", ["npx", "playwright", "test", "-c", "e2e-tests"], json_report(stories), report=stories, after=built),
         Suite(
             "python",
@@ -84,10 +84,10 @@ def suites(reports: Path, nightly: bool = False) -> Sequence[Suite]:
             report=short,
             after=frozenset({"e2e"}),
         ),
-        # It waits for its browser for half of its time.
-        replace(vitest("editor"), cores=0.5, after=built),
-        # It waits for about half of its time, and none of its times is judged. Not beside the suite that builds Haskell as well.
-        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, cores=0.5, after=frozenset({"haskell"})),
+        # Only so that those before it start first.
+        replace(vitest("editor"), after=built),
+        # Beside what is left of the stories, in place of the Python tests: it waits for about half of its time, and none of its times is judged.
+        Suite("bench", [PYTHON, "scripts/bench.py", "--small"], own_script, cores=0.5, after=frozenset({"haskell", "python"})),
         replace(vitest("codegen", background=True), after=built),
         # Not before the suite above, which takes longer.
         Suite("scripts", [PYTHON, "-m", "pytest", "-q", "-rfEs", "scripts/tests"], pytest_summary, prints=False, background=True, after=built),
