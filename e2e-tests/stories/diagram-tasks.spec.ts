@@ -67,7 +67,7 @@ test("by keyboard: the list form adds, repeats, moves and takes apart", async ({
   await node(page, /^one after the other$/).press("Enter")
   await presses("Repeat for ever")
   await expect.poll(() => learner.haskellText()).toBe(built)
-  await node(page, /^driveBack 1: step/).press("Enter")
+  await node(page, /^driveBack 1: step; then back to driveUntilBump$/).press("Enter")
   await presses("Earlier")
   await expect
     .poll(() => learner.haskellText())

@@ -11,15 +11,16 @@ import {test} from "./story.ts"
 
 const words = (text: string): readonly string[] => text.match(/[A-Za-z]{3,}/g) ?? []
 
-/// Words that stay as they are in every language: the program's and the robot's, what lessons, examples
-/// and rooms call themselves, keys and units.
+/// Words that stay as they are in every language: the program's and the robot's, what lessons, challenges,
+/// examples and rooms call themselves, keys and units.
 async function kept(page: Page): Promise<ReadonlySet<string>> {
   const names = knownNames().flatMap(known => words(`${known.name} ${known.type}`))
   const ready = words(JSON.stringify(toolbox("haskell")))
   const content = await page.evaluate(async () => {
     const get = async (path: string) => (await fetch(path)).text()
     const rooms: readonly string[] = await (await fetch("api/worlds")).json()
-    const texts = [get("api/examples"), get("api/lessons"), ...rooms.map(room => get(`api/worlds/${room}`))]
+    const lists = ["api/examples", "api/lessons", "api/challenges"].map(get)
+    const texts = [...lists, ...rooms.map(room => get(`api/worlds/${room}`))]
     return (await Promise.all(texts)).join(" ")
   })
   const program = await new Learner(page).haskellText()
@@ -106,14 +107,12 @@ test("every word of the page is in a table of words", async ({page}) => {
   await look("the keys")
   await page.keyboard.press("Escape")
 
-  await page.locator(".topbar button").first().click()
-  await expect(page.locator("dialog[open] li").first()).toBeVisible()
-  await look("the lessons")
-  await page.keyboard.press("Escape")
-  await page.locator(".topbar button").nth(1).click()
-  await expect(page.locator("dialog[open] li").first()).toBeVisible()
-  await look("the examples")
-  await page.keyboard.press("Escape")
+  for (const [place, list] of ["the lessons", "the challenges", "the examples"].entries()) {
+    await page.locator(".topbar button").nth(place).click()
+    await expect(page.locator("dialog[open] li").first()).toBeVisible()
+    await look(list)
+    await page.keyboard.press("Escape")
+  }
   await page.locator(".room-choice").click()
   await expect(page.locator("dialog[open] li").first()).toBeVisible()
   await look("the rooms")

@@ -506,7 +506,7 @@ def test_who_asks_twice_gets_no_traceback_of_the_service(environment: dict[str, 
 
 @pytest.mark.parametrize("command", ["start", "check", "run", "build", "room", "replay"])
 def test_the_help_of_a_command_names_what_it_takes_and_nothing_else(command: str) -> None:
-    text = (ROOT.parent / "scripts" / "help" / "en" / f"{command}.txt").read_text()
+    text = (ROOT.parent / "languages" / "en" / "help" / f"{command}.txt").read_text()
     named = {line.split()[0] for line in text.splitlines() if line.startswith("  -")}
     commands = options_parser()._subparsers._group_actions[0].choices  # type: ignore[union-attr]
     parser = commands["serve" if command == "start" else command]  # type: ignore[index]

@@ -2,33 +2,39 @@
 
 from __future__ import annotations
 
-from types import SimpleNamespace
-from typing import Any
+import json
 
 from rosy_sim.previews.path_recorder import PathRecorder
+from rosy_sim.run.steps.lockstep import Lockstep
+from rosy_sim.world.events import Command
 
-UP: dict[str, tuple[Any, ...]] = {"Pen": (0,), "PenColor": (0,), "PenWidth": (0.03,)}
-RED = {**UP, "Pen": (1,), "PenColor": (1,)}
+from ..conftest import hall
+
+CHANGES = {2: Command("PenColor", (1,)), 3: Command("Pen", (1,)), 6: Command("Pen", (1,)), 9: Command("Pen", (0,))}
+"""What the program's robot does with its pen, by step: red ink, down, down again, up."""
 
 
-def recorded(first: dict[str, Any], *steps: tuple[float, float, dict[str, Any]]) -> PathRecorder:
-    """A drive along x: each step is a time, a place and the outputs of the robot."""
-
-    def world(x: float, outputs: dict[str, Any]) -> Any:
-        return SimpleNamespace(x=x, y=1.0, outputs=outputs, is_blocked=False, has_contacts=False)
-
-    recorder = PathRecorder(world(1.0, first), lambda: False)
-    for time, x, outputs in steps:
-        recorder.observe(SimpleNamespace(state="settled", time=time, world=world(x, outputs)))  # type: ignore[arg-type]
+def recorded(changes: dict[int, Command]) -> PathRecorder:
+    """A drive of twelve steps of 20 ms with these commands."""
+    lockstep = Lockstep(hall(), seed=1)
+    lockstep.feed(b'{"op":"ready"}\n')
+    lockstep.world.drive(0.2, 0.0)
+    recorder = PathRecorder(lockstep.world, lambda: False)
+    for step in range(12):
+        lockstep.sense()
+        lockstep.feed(json.dumps({"op": "settled", "step": step, "fired": []}).encode() + b"\n")
+        if step in changes:
+            lockstep.world.command(changes[step])
+        recorder.observe(lockstep)
+        lockstep.integrate()
     return recorder
 
 
 def test_each_change_of_the_pen_is_told_with_a_point_of_the_path() -> None:
-    recorder = recorded(UP, (0.02, 1.0, UP), (0.04, 1.004, RED), (0.06, 1.008, {**RED}), (0.08, 1.012, {**UP}))
-    assert recorder.pen == [(0.04, 1, 1, 0.03), (0.08, 0, 0, 0.03)]
-    assert recorder.path == [(0.0, 1.0, 1.0), (0.04, 1.004, 1.0), (0.08, 1.012, 1.0)]
+    recorder = recorded(CHANGES)
+    assert recorder.pen == [(0.04, 0, 1, 0.03), (0.06, 1, 1, 0.03), (0.18, 0, 1, 0.03)]
+    assert {time for time, *_ in recorder.pen} <= {time for time, *_ in recorder.path}
 
 
-def test_a_robot_without_a_pen_draws_nothing() -> None:
-    recorder = recorded({"MotorPower": (1,)}, (0.02, 1.01, {"MotorPower": (0,)}))
-    assert recorder.pen == []
+def test_a_pen_that_does_not_change_is_not_told() -> None:
+    assert recorded({3: Command("Led1", (1,))}).pen == []

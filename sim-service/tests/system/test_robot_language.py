@@ -40,7 +40,7 @@ def said(locale: str, *arguments: str) -> str:
         ("C.UTF-8", 'A robot has no option "colour".'),
         ("de_DE.UTF-8", "Ein Roboter hat keine Option „colour“."),
         ("es", "Un robot no tiene la opción «colour»."),
-        ("fr_CA.UTF-8", "Un robot n’a pas d’option « colour »."),
+        ("fr_CA.UTF-8", "Un robot n’a pas d’option «\u202fcolour\u202f»."),
         ("pt_BR", "Um robô não tem a opção “colour”."),
     ],
 )
