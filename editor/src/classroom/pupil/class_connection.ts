@@ -21,6 +21,7 @@ import type {ClassMemory} from "./class_memory.ts"
 import {type ClassProgress, openClassProgress} from "./class_progress.ts"
 import {type ClassEvent, type ClassState, firstClassState, reduceClass} from "./class_state.ts"
 import {type ClassSync, openClassSync} from "./class_sync.ts"
+import {type ForeignPrograms, openForeignPrograms} from "./foreign_programs.ts"
 import {openStatus, watchChanges} from "./page_observers.ts"
 import type {PageOfClass} from "./page_of_class.ts"
 import {openPupilSharing, type PupilSharing} from "./pupil_sharing.ts"
@@ -44,7 +45,7 @@ export class ClassConnection {
   private readonly status: ReturnType<typeof openStatus>
   private readonly pause: ReturnType<typeof openPause>
   private readonly endTasks: ReturnType<typeof openTaskTimers>
-  private readonly foreign: ReturnType<typeof openForeignPrograms>
+  private readonly foreign: ForeignPrograms
   /// The service has let this connection in.
   private isIn = false
   /// A change waits for the pause after it.
@@ -172,13 +173,14 @@ export class ClassConnection {
   private meetClass(id: string): void {
     const before = this.memberships.classId()
     const isOther = before !== null && before !== id
+    const wasMember = isOther && this.memberships.read() !== null
     if (isOther) {
       this.sync.left()
       this.dispatch({kind: "class-changed"})
     }
     this.memberships.setClass(id)
     this.progress.meets(id)
-    this.foreign.meetClass(isOther)
+    this.foreign.meetClass(isOther, wasMember)
     if (!this.admission.enter() && !this.isTeacher && !this.memory.hasSkipped(id))
       this.dispatch({kind: "card", card: "join"})
   }
@@ -215,40 +217,6 @@ export class ClassConnection {
 /// The service could not let the page in, and will later.
 const keepsOut = (reason: Refusal): boolean =>
   reason === "attempts" || reason === "disk" || reason === "database"
-
-/// Hides programs of other classes; when the page shows one, a new program takes its place.
-function openForeignPrograms({store, loader, programStore}: PageOfClass, memberships: Memberships) {
-  /// Whether the page was in another class, or showed a program of one, which gives way to a new one. The pupil's newest program follows when
-  /// the class lets the page in.
-  let isReplaced = false
-  /// The entry of the program that was compared with the class last.
-  let compared: string | null = null
-  programStore.hide(memberships.isForeign)
-  const hideForeign = () => {
-    const id = loader.storedId()
-    if (id === compared) return
-    compared = id
-    if (id === null || !memberships.isForeign(id)) return
-    isReplaced = true
-    loader.newProgram()
-    store.dispatch({kind: "lesson", event: {kind: "closed"}})
-  }
-  store.onEvent(() => queueMicrotask(hideForeign))
-  return {
-    /// The service has named its class. `isOther`: the page was in another one.
-    meetClass(isOther: boolean) {
-      if (isOther) isReplaced = true
-      compared = null
-      hideForeign()
-    },
-    /// Whether a program was replaced since this was asked last.
-    takeReplaced(): boolean {
-      const was = isReplaced
-      isReplaced = false
-      return was
-    },
-  }
-}
 
 /// Ends tasks on the page at their deadlines.
 function openTaskTimers(end: (task: number) => void): (tasks: readonly OwnTask[]) => void {
