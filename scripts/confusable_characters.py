@@ -18,7 +18,7 @@ SOURCE = Path("rosy-hs/worker/Rosy/Worker/Explanation/ConfusableCharacters.hs")
 MODULE = Path("codegen/src/source/confusable_tables.generated.ts")
 
 _HEADER = """/// Characters that look like those of Haskell, made by scripts/confusable_characters.py from ConfusableCharacters.hs of the worker.
-/// Names are sentences of languages.
+/// Names are sentences of languages/<tag>/sentences.json.
 
 """
 

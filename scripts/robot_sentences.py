@@ -18,7 +18,7 @@ MODULE = Path("rosy-hs/robots/generated/Rosy/Robots/Translations.hs")
 
 _HEADER = """-- |
 -- Module      : Rosy.Robots.Translations
--- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages.
+-- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages/*/sentences.json.
 module Rosy.Robots.Translations
   ( tables,
   )

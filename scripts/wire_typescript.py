@@ -8,7 +8,8 @@ the tables of the protocol against the same structs. With ``--check`` nothing is
 A struct becomes an interface. What the service sends gets a decoder, too (``editor/src/wire/decode.ts``): it names the fields in
 camel case, reads an array-like struct into an object, fills in fields with a default that are left out, and checks ranges and lengths
 of ``msgspec.Meta``. What the page sends is written with ``JSON.stringify``, so that its fields need names without underscores.
-A field that holds ``msgspec.Raw`` says with ``Meta(extra={"holds": type})`` what that is.
+A field that holds ``msgspec.Raw`` says with ``Meta(extra={"holds": type})`` what that is; ``Meta(max_length=…, extra={"constant": True})`` makes the limit a
+constant of the page.
 """
 
 from __future__ import annotations
@@ -156,6 +157,8 @@ class Generator:
             fields.insert(0, Field(str(struct.tag_field), "", json.dumps(struct.tag), f"read.tag({json.dumps(struct.tag)})", "", False))
         body = "".join(documented(f.doc, "  ") + f"  readonly {f.name}{'?' * f.optional}: {f.type}\n" for f in fields)
         text = documented(cls.__dict__.get("__doc__") or "") + f"export interface {cls.__name__} {{\n{body}}}\n"
+        if cls in self.received:
+            text += "".join(limit_of(cls, each) for each in struct.fields)
         if cls in self.sent:
             module.uses_decoders = True
             reader = "read.row" if struct.array_like else "read.struct"
@@ -319,6 +322,13 @@ def structs_of(info: mi.Type, known: set[type] | None = None) -> Iterator[mi.Str
                 yield from structs_of(item, known)
         case mi.DictType():
             yield from structs_of(info.value_type, known)
+
+
+def limit_of(cls: type, each: mi.Field) -> str:
+    """The most items of a list as a constant, where the page must know it before it sends them; otherwise empty."""
+    if not isinstance(each.type, mi.Metadata) or not (each.type.extra or {}).get("constant") or not isinstance(each.type.type, mi.ListType):
+        return ""
+    return f"/// The most {each.name} of a `{constant(cls.__name__)}`.\nexport const max{cls.__name__}{each.name.capitalize()} = {each.type.type.max_length}\n"
 
 
 def held(info: mi.Type) -> mi.Type:

@@ -25,6 +25,7 @@ _MODULES = (
     "run.frame_rate",
     "run.headless_run",
     "run.lateness",
+    "run.loop_link",
     "run.program_link",
     "run.realtime_runner",
     "run.step_display",

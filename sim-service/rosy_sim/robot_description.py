@@ -13,7 +13,17 @@ from functools import cache
 from pathlib import Path
 from typing import Any, NamedTuple
 
-__all__ = ["ROBOTS", "TypeRoles", "description", "known_robots", "lacking", "simulated", "type_roles"]
+__all__ = [
+    "ROBOTS",
+    "TypeRoles",
+    "description",
+    "known_robots",
+    "lacking",
+    "simulated",
+    "simulated_action",
+    "simulated_actions",
+    "type_roles",
+]
 
 ROBOTS = Path(os.environ.get("ROSY_ROOT") or Path(__file__).resolve().parents[2]) / "protocol" / "robots"
 """Where the robot descriptions are."""
@@ -90,3 +100,20 @@ def _channels_of_types() -> dict[str, str]:
 def simulated() -> dict[str, Any]:
     """The description whose messages the robot link uses, for every robot."""
     return description(known_robots()[0])
+
+
+@cache
+def simulated_actions(version: str) -> dict[str, str]:
+    """The actions that its description names, each with its name in a version of ROS, ``ros1`` or ``ros2``."""
+    profile = simulated()["profiles"][version]
+    return {
+        name: given.replace("{prefix}", profile["prefix"])
+        for name, given in profile.items()
+        if f"{name}_type" in profile
+    }
+
+
+def simulated_action(action: str) -> str:
+    """The name that the simulated robots give an action of the description; others stay as they are."""
+    own, other = simulated_actions("ros1"), simulated_actions("ros2")
+    return own.get(action) or other.get(action, action)

@@ -12,7 +12,7 @@ export interface Confusable extends Range {
   readonly character: string
   /// What is written in its place; empty for a character that cannot be seen.
   readonly plain: string
-  /// Its name in Unicode: a sentence of `languages`.
+  /// Its name in Unicode: a sentence of `languages/<tag>/sentences.json`.
   readonly name: {readonly id: string; readonly arguments: Readonly<Record<string, string>>}
 }
 

@@ -2,15 +2,11 @@
 ///
 /// The progress of a learner holds an id for each star of the best run, as it holds the ids of the steps of a lesson.
 
-import type {Verdict} from "../wire/verdict.generated.ts"
+import type {ChecksShown} from "../wire/page/programs.generated.ts"
 import type {Check, Step} from "./lesson.ts"
 
 /// What the service says about a run; `run` is `null` before the first.
-interface Judgement {
-  readonly run: number | null
-  readonly over: boolean
-  readonly checks: readonly Verdict[]
-}
+type Judgement = Pick<ChecksShown, "run" | "over" | "checks">
 
 /// The ids of so many stars, in the progress.
 export const starIds = (count: number): readonly string[] =>

@@ -1,9 +1,9 @@
 /// A reply of one of the robot's own programs as a sentence. In: the event as Haskell shows it (`Reply dock Aborted no dock is in sight.`, Rosy.Request).
-/// Out: whose reply it is, as a program calls it, and what it says; nothing for another event.
+/// Out: whose reply it is, as a program calls it, and the sentence; nothing for another event.
 
 import {words} from "../words/index.ts"
 
-export type ReplySentence = {readonly name: string; readonly said: string}
+export type ReplySentence = {readonly name: string; readonly text: string}
 
 type Answer = "Feedback" | "Succeeded" | "Rejected" | "Aborted" | "Cancelled" | "Unavailable"
 
@@ -21,13 +21,13 @@ export function replySentence(event: string): ReplySentence | null {
   const outcome =
     {...words.replies.succeeded}[answer === "Succeeded" ? called : ""] ?? words.replies[answer as Answer]
   const why = shortReason(reason)
-  return {name: called, said: `${words.replies.answered} ${outcome}${why === "" ? "" : ` (${why})`}.`}
+  return {name: called, text: `${words.replies.answered} ${outcome}${why === "" ? "" : ` (${why})`}.`}
 }
 
 /// Why, without what the answer says already; what the simulated robot says is translated.
 function shortReason(reason: string): string {
   if (emptyReason.test(reason)) return ""
-  const text = reason.replace(/^(?:Aborted|Cancelled): /, "").replace(/\.$/, "")
+  const short = reason.replace(/^(?:Aborted|Cancelled): /, "").replace(/\.$/, "")
   const known: Readonly<Record<string, string>> = words.replies.reasons
-  return known[text] ?? text
+  return known[short] ?? short
 }

@@ -12,6 +12,6 @@ export interface Table {
   readonly page: Words
   readonly measures: Measures
   readonly blocks: WordsOnBlocks
-  /// The sentences of the worker, where they are not in a table of languages.
+  /// The sentences of the worker, where they are not in `languages/<tag>/sentences.json`.
   readonly sentences?: SentenceForms
 }

@@ -1,13 +1,13 @@
 /// Sentences of the worker in the chosen language: an id and its arguments become a text.
 ///
-/// A language is a table in `languages`, checked by `scripts/sentences.py`. English has none: every message carries its English text.
+/// A language is a table, `languages/<tag>/sentences.json`, checked by `scripts/sentences.py`. English has none: every message carries its English text.
 
 import type {Sentence} from "../wire/problem.generated.ts"
 import {measures} from "./index.ts"
 
 type Argument = Sentence["arguments"][string]
 
-/// A table of `languages`.
+/// The content of `languages/<tag>/sentences.json`.
 export interface SentenceTable {
   /// Around a type in a sentence, and around the type of a function. The placeholder is `{type}`.
   readonly type: string

@@ -17,7 +17,7 @@ test.each([
   ],
 ])("%s", (event, sentence) => {
   const reply = replySentence(event)
-  expect(`${reply?.name} ${reply?.said}`).toBe(sentence)
+  expect(`${reply?.name} ${reply?.text}`).toBe(sentence)
 })
 
 test("another event is none", () => {

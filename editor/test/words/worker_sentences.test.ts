@@ -1,4 +1,4 @@
-/// The explained mistakes in every language: the worker's gallery, worded by the tables of `languages`.
+/// The explained mistakes in every language: the worker's gallery, worded by `languages/<tag>/sentences.json`.
 
 import {readdirSync, readFileSync} from "node:fs"
 import {afterEach, describe, expect, it} from "vitest"

@@ -5,7 +5,7 @@
 -- Description : Translatable sentences: a template with named arguments.
 --
 -- The English template is the id of a sentence, as in gettext: English stands where the sentence is made, the other languages in
--- "languages", one table each. The wire carries the id, its arguments and the English text. "scripts/sentences.py" reads the templates
+-- @languages/<tag>/sentences.json@. The wire carries the id, its arguments and the English text. "scripts/sentences.py" reads the templates
 -- from the source text, which is why 'tr' and 'trWith' take a literal; it checks them against their arguments and against the tables.
 --
 -- A placeholder is @{name}@, or @{format name}@ with a format of protocol/README.md, section 1.1. All other text stands for itself, single

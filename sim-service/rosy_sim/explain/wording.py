@@ -1,8 +1,8 @@
 """
 Sentences of explanations as translatable sentences. Names of functions are in ``**``, values and types in backquotes.
 
-``languages`` has them in other languages. The page has tables of its own (``editor/src/words``), in which
-names and values can be pressed; ``protocol/goldens/explanations.jsonl`` holds the English of both together.
+``languages/<tag>/sentences.json`` has them in other languages. The page has tables of its own (``editor/src/words``),
+in which names and values can be pressed; ``protocol/goldens/explanations.jsonl`` holds the English of both together.
 """
 
 from __future__ import annotations

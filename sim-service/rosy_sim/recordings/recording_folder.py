@@ -48,21 +48,24 @@ class Finished:
 
 
 class _Lock:
-    """Lock on an open file, until it is released or nothing refers to it."""
+    """
+    Lock on a file with this content, until nothing refers to it or the process ends.
+
+    Raises:
+        OSError: the file cannot be written, or another process has the lock.
+    """
+
+    _file = -1
 
     def __init__(self, path: Path, content: bytes) -> None:
-        self._file = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        fcntl.flock(self._file, fcntl.LOCK_EX)
+        self._file = os.open(path, os.O_WRONLY | os.O_CREAT, 0o600)
+        fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        os.ftruncate(self._file, 0)
         os.write(self._file, content)
 
-    def release(self) -> None:
-        """As the end of the process does."""
+    def __del__(self) -> None:
         if self._file >= 0:
             os.close(self._file)
-            self._file = -1
-
-    def __del__(self) -> None:
-        self.release()
 
 
 @dataclass(frozen=True, slots=True)
@@ -198,12 +201,14 @@ def named_recording(path: Path, details: RunDetails) -> PendingRecording:
     A recording in a file of this name.
 
     Raises:
-        BadInput: the file cannot be written.
+        BadInput: the file cannot be written, or another run is recorded in it.
     """
     log = _log_of(path)
     try:
-        log.write_bytes(b"")
         lock = _locked_details(log, details)
+        log.write_bytes(b"")
+    except BlockingIOError as error:
+        raise BadInput(tr("{path} is being recorded by another Rosy.", path=path)) from error
     except OSError as error:
         raise BadInput(tr("{path} cannot be written: {why}.", path=path, why=error.strerror or "")) from error
     return PendingRecording(log.absolute(), path, None, lock)

@@ -13,22 +13,18 @@ import socket
 from collections.abc import Callable, Sequence
 from typing import Literal, Protocol
 
-from ..token_bucket import TokenBucket
 from ..wire import page
 from ..wire.problem import Problem
-from ..wire.robot_link import LimitExceeded, LinkError
 from ..wire.worker import Started
 from ..world.events import velocity
 from ..world.world import World
+from .loop_link import Failure, LoopLink
 from .problems import broken_link, died, missing_parts, no_place_beside, place_needed, too_much_output
 from .steps.lockstep import Lockstep
 from .steps.velocity_guard import SafetySettings
 from .worker_session import RunServices, WorkerSession
 
-__all__ = ["MAX_OUTPUT_RATE", "Companion", "CompanionView", "Companions"]
-
-MAX_OUTPUT_RATE = 20e6
-"""Bytes that a program may send in a second for long: forty times what the fastest of the examples sends."""
+__all__ = ["Companion", "CompanionView", "Companions"]
 
 
 class CompanionView(Protocol):
@@ -43,7 +39,7 @@ class CompanionView(Protocol):
 
 class Companion:
     """
-    Program of one further robot. Implements ``CompilationListener``.
+    Program of one further robot. Implements ``CompilationListener`` and ``LinkListener``.
 
     Args:
         number: of the robot, from 1 on.
@@ -69,11 +65,10 @@ class Companion:
         self._loop = asyncio.get_running_loop()
         self.lockstep = Lockstep(world, seed, safety=safety)
         # Set when the program runs; None again when it is over.
-        self._link: socket.socket | None = None
+        self._link: LoopLink | None = None
         self.is_over = False
         # Seconds of wall-clock time left for the answer that is awaited; None while none is.
         self._patience: float | None = None
-        self._allowance = TokenBucket(MAX_OUTPUT_RATE, 2 * MAX_OUTPUT_RATE, self._loop.time())
         # Asks the worker why the program went silent.
         self._explanation: asyncio.Task[None] | None = None
         self._session = WorkerSession(source, services, self, on_preempt=lambda: self._end(place_needed()))
@@ -95,15 +90,13 @@ class Companion:
 
     def on_started(self, link: socket.socket, started: Started) -> None:
         """The program runs, if its robot has what it uses."""
+        self._link = LoopLink(link, self.lockstep, self)
         missing = missing_parts(self.world, started.uses)
-        self._link = link
         if missing:
             self._end(missing[0])
             return
-        link.setblocking(False)
-        self._loop.add_reader(link, self._read)
         self._patience = self._services.limits.ready
-        self._send(self.lockstep.begin())
+        self._link.send(self.lockstep.begin())
 
     def on_failed(self, ended: Literal["refused", "error"], problems: list[Problem]) -> None:
         """The program does not compile, or the worker is lost."""
@@ -116,10 +109,11 @@ class Companion:
         """A step begins."""
         if self.is_over:
             return
+        assert self._link is not None
         batch = self.lockstep.sense()
         if batch:
             self._patience = self._services.limits.settle
-            self._send(batch)
+            self._link.send(batch)
 
     def settle(self, is_shown: bool) -> None:
         """All programs have settled: the commands count from now on. ``is_shown``: what it said is new to the page."""
@@ -144,45 +138,25 @@ class Companion:
             if self._patience < 0:
                 self._end_silent("stuck")
 
-    def _read(self) -> None:
-        assert self._link is not None
-        try:
-            data = self._link.recv(65536)
-        except (BlockingIOError, InterruptedError):
-            return
-        except OSError:
-            data = b""
-        time = self.lockstep.time
-        if not data:
-            self._end_silent("died")
-        elif not self._allowance.spend(len(data), self._loop.time()):
-            self._end(too_much_output(f"more than {MAX_OUTPUT_RATE:.0f} bytes a second", time))
-        else:
-            try:
-                state = self.lockstep.feed(data)
-            except LimitExceeded as too_much:
-                self._end(too_much_output(str(too_much), time))
-            except LinkError as error:
-                self._end(broken_link(str(error), time))
-            else:
-                if state == "ended":
-                    self._end_by_itself()
-                elif state in ("ready", "settled"):
-                    self._patience = None
-                    self._on_settled()
+    # LinkListener
 
-    def _send(self, data: bytes) -> None:
-        assert self._link is not None
-        try:
-            sent = self._link.send(data)
-        except (BlockingIOError, InterruptedError):
-            sent = 0
-        except OSError:
-            # The reader sees the end of the stream and what came before it.
-            return
-        if sent < len(data):
-            # At most one batch is in flight: a full pipe means that the program reads nothing.
-            self._loop.call_soon(self._end_silent, "stuck")
+    def on_answer(self) -> None:
+        """The program is ready, has settled, or has ended."""
+        if self.lockstep.state == "ended":
+            self._end_by_itself()
+        else:
+            self._patience = None
+            self._on_settled()
+
+    def on_failure(self, failure: Failure, detail: str) -> None:
+        """Nothing comes of the program any more."""
+        time = self.lockstep.time
+        if failure == "loud":
+            self._end(too_much_output(detail, time))
+        elif failure == "broken":
+            self._end(broken_link(detail, time))
+        else:
+            self._end_silent(failure)
 
     # The end
 
@@ -206,7 +180,6 @@ class Companion:
         self._patience = None
         link, self._link = self._link, None
         if link is not None:
-            self._loop.remove_reader(link)
             link.close()
         self.lockstep.cancel_goals()
         self.world.command(velocity(0.0, 0.0))

@@ -22,6 +22,7 @@ from ..wire.worker import Started
 from ..worker.prepared_runs import PreparedRun
 from ..world.events import Command
 from ..world.goals import GoalState
+from .companions import CompanionView
 from .steps.command_conflicts import CommandConflict
 from .worker_session import RunServices, Silence, WorkerSession
 
@@ -30,7 +31,7 @@ __all__ = ["Ended", "OnObservedStep", "PageRun", "RunView"]
 Ended = Literal["done", "error", "stuck", "stopped", "time", "refused"]
 
 
-class RunView(Protocol):
+class RunView(CompanionView, Protocol):
     """Receives what a page is shown of a run. ``web.sessions.page_view`` implements it."""
 
     # The latest step of the run; set by the run.
@@ -76,12 +77,6 @@ class RunView(Protocol):
 
     def show_uncompared(self, time: float) -> None:
         """Show since when it is not known whether the program differs from the run that it repeats."""
-
-    def show_companion_said(self, robot: int, time: float, texts: list[str], sounds: list[int]) -> None:
-        """Show what another robot of the run said, from 1 on, and play its sounds."""
-
-    def show_companion_ended(self, robot: int, time: float, problem: Problem | None) -> None:
-        """Show that the program of another robot has ended before the run; why, if not by itself."""
 
     def show_goals(self, states: list[GoalState]) -> None:
         """Show the goals if they have changed visibly."""

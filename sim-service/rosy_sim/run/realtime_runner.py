@@ -14,12 +14,11 @@ from collections.abc import Callable
 from typing import Literal, Protocol
 
 from ..config import Limits
-from ..token_bucket import TokenBucket
 from ..wire.page import Speed
-from ..wire.robot_link import LimitExceeded, LinkError
 from ..world.time_step import STEP
-from .companions import MAX_OUTPUT_RATE, Companions
+from .companions import Companions
 from .lateness import Lateness
+from .loop_link import LoopLink
 from .step_phases import StepPhases
 from .steps.lockstep import Lockstep
 from .steps.quiet_steps import MemoryRequest
@@ -52,7 +51,7 @@ class RunnerListener(Protocol):
 
 
 class RealTimeRunner:
-    """Owns the simulator's end of the link until the run ends."""
+    """Drives one run until it ends. Implements ``LinkListener``."""
 
     def __init__(
         self,
@@ -70,7 +69,6 @@ class RealTimeRunner:
         self._loop = asyncio.get_running_loop()
         # Of deadlines, s.
         self._clock = clock
-        self._link = link
         self._lockstep = lockstep
         self._speed = speed
         self._limits = limits
@@ -100,13 +98,11 @@ class RealTimeRunner:
         self._companions = companions
         # Whether a step has been sensed and is not integrated yet.
         self._is_in_step = False
-        self._allowance = TokenBucket(MAX_OUTPUT_RATE, 2 * MAX_OUTPUT_RATE, self._loop.time())
-        link.setblocking(False)
-        self._loop.add_reader(link, self._read)
+        self._link = LoopLink(link, lockstep, self)
         self._deadline_timer: asyncio.TimerHandle = self._loop.call_later(_DEADLINE_INTERVAL, self._check_deadline)
         if companions is not None:
             companions.on_settled = self._on_companions_settled
-        self._send(lockstep.begin())
+        self._link.send(lockstep.begin())
 
     # Requests
 
@@ -149,7 +145,7 @@ class RealTimeRunner:
             self._timer.cancel()
             self._timer = None
         self._deadline = self._clock() + self._limits.stop
-        self._send(self._lockstep.stop())
+        self._link.send(self._lockstep.stop())
 
     def abandon(self) -> None:
         """Close the link without calling the listener."""
@@ -241,7 +237,7 @@ class RealTimeRunner:
         if memory != "none":
             self._memory_read = now
         self._deadline = self._clock() + self._limits.settle
-        self._send(batch)
+        self._link.send(batch)
 
     def _finish_step(self) -> None:
         """A step has settled, for all programs."""
@@ -254,34 +250,15 @@ class RealTimeRunner:
             companions.advance()
         self._listener.on_step(self._lockstep)
 
-    def _read(self) -> None:
-        try:
-            data = self._link.recv(65536)
-        except (BlockingIOError, InterruptedError):
-            return
-        except OSError:
-            data = b""
-        if not data:
-            self._end("died", "")
-            return
-        if not self._allowance.spend(len(data), self._loop.time()):
-            self._end("loud", f"more than {MAX_OUTPUT_RATE:.0f} bytes a second")
-            return
-        before = self._lockstep.state
-        try:
-            state = self._lockstep.feed(data)
-        except LimitExceeded as too_much:
-            self._end("loud", str(too_much))
-            return
-        except LinkError as error:
-            self._end("broken", str(error))
-            return
-        if state == before:
-            return
+    # LinkListener
+
+    def on_answer(self) -> None:
+        """The program has answered."""
+        state = self._lockstep.state
         if state == "ended":
             assert self._lockstep.ended is not None
             self._listener.on_step(self._lockstep)
-            self._end(self._lockstep.ended.how, "")
+            self.on_failure(self._lockstep.ended.how, "")
             return
         if not self._stopping:
             self._deadline = None
@@ -293,17 +270,12 @@ class RealTimeRunner:
             self._finish_step()
         self._continue()
 
-    def _send(self, data: bytes) -> None:
-        try:
-            sent = self._link.send(data)
-        except (BlockingIOError, InterruptedError):
-            sent = 0
-        except OSError:
-            # The reader sees the end of the stream and what came before it.
-            return
-        if sent < len(data):
-            # At most one batch is in flight: a full pipe means that the program reads nothing.
-            self._loop.call_soon(self._end, "stuck", "")
+    def on_failure(self, failure: Ending, detail: str) -> None:
+        """The run is over, by itself or because nothing comes any more."""
+        if not self._over:
+            self._finish()
+            ending = "stopped" if self._stopping and failure == "died" else failure
+            self._listener.on_end(self._lockstep, ending, detail)
 
     def _check_deadline(self) -> None:
         now = self._clock()
@@ -318,19 +290,13 @@ class RealTimeRunner:
         if self._over:
             return
         if self._deadline is not None and now > self._deadline:
-            self._end("stopped" if self._stopping else "stuck", "")
+            self.on_failure("stopped" if self._stopping else "stuck", "")
             return
         self._deadline_timer = self._loop.call_later(_DEADLINE_INTERVAL, self._check_deadline)
-
-    def _end(self, ending: Ending, detail: str) -> None:
-        if not self._over:
-            self._finish()
-            self._listener.on_end(self._lockstep, "stopped" if self._stopping and ending == "died" else ending, detail)
 
     def _finish(self) -> None:
         self._over = True
         self._leave_phase()
-        self._loop.remove_reader(self._link)
         self._deadline_timer.cancel()
         if self._timer is not None:
             self._timer.cancel()

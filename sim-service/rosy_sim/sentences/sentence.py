@@ -2,7 +2,7 @@
 Translatable sentences: an English template with named arguments, and its text in English.
 
 The template is the id of a sentence, as in gettext: English stands where the sentence is made, other languages in
-``languages``, one table each (protocol/README.md, section 1.1). ``scripts/sentences.py`` reads the templates
+``languages/<tag>/sentences.json`` (protocol/README.md, section 1.1). ``scripts/sentences.py`` reads the templates
 from the calls of ``tr``, which is why they are literals there.
 
 Only the standard library is imported: ``./rosy estop`` works before anything is installed.

@@ -1,5 +1,5 @@
 """
-Sentences in the reader's language: a template and its arguments become a text, with a table of ``languages``.
+Sentences in the reader's language: a template and its arguments become a text, with ``languages/<tag>/sentences.json``.
 
 The page words what it shows itself (``editor/src/words/worker_sentences.ts``); this is for terminals and other editors.
 English has no table. ``en-XA`` is English with accents, for tests: what still reads as English in it is no sentence of

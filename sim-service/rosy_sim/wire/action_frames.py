@@ -7,24 +7,16 @@ from __future__ import annotations
 
 from typing import Any
 
-from ..robot_description import simulated
 from ..world.action_goals import ActionReply
 from .link_messages import SendActionGoal
 
-__all__ = ["NO_SERVICE", "action_name", "has_substitute", "reply_frame", "service_failure"]
+__all__ = ["NO_SERVICE", "has_substitute", "reply_frame", "service_failure"]
 
 NO_SERVICE = "Service {service} does not exist"
 """What rosbridge_library, internal/services.py says of it."""
 
 _SUBSTITUTED = ("undock", "drive_distance", "rotate_angle")
 """Actions in whose place a program drives by itself (Rosy.Action)."""
-
-
-def action_name(action: str) -> str:
-    """The name that the simulated robot gives an action which its description names; others stay as they are."""
-    # ROS 1 has no Nav2.
-    named: dict[str, str] = {"navigate_to": "/navigate_to_pose", **simulated()["profiles"]["ros1"]}
-    return named.get(action, action)
 
 
 def has_substitute(goal: SendActionGoal) -> bool:

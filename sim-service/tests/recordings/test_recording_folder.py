@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -105,9 +106,7 @@ def test_a_run_that_never_reached_its_robot_leaves_nothing(tmp_path: Path) -> No
 def killed(pending: PendingRecording) -> PendingRecording:
     """A recording whose process is gone in the middle of a line."""
     pending.log.write_bytes(LOG[:-5] + b'\n1002 > {"op":"st')
-    assert pending.lock is not None
-    pending.lock.release()
-    return pending
+    return replace(pending, lock=None)
 
 
 def test_a_log_that_a_crash_left_becomes_a_recording_after_the_next_run(tmp_path: Path) -> None:
@@ -141,6 +140,14 @@ def test_a_named_one_as_well(tmp_path: Path) -> None:
     finish_left(left.path)
     with open_recording(left.path) as recording:
         assert recording.details == DETAILS
+
+
+def test_a_file_in_which_another_run_is_recorded_is_refused(tmp_path: Path) -> None:
+    running = named_recording(tmp_path / "my.mcap", DETAILS)
+    running.log.write_bytes(LOG)
+    with pytest.raises(BadInput, match=r"my\.mcap is being recorded by another Rosy"):
+        named_recording(tmp_path / "my.mcap", DETAILS)
+    assert running.log.read_bytes() == LOG
 
 
 def test_the_log_of_a_run_that_goes_on_is_left_alone(tmp_path: Path) -> None:

@@ -4,12 +4,13 @@
 
 import {hashOf} from "@rosy/codegen"
 import type {ProgramStore} from "../../storage/program_store.ts"
-import type {
-  ProgramName,
-  PupilAnswer,
-  PupilRequest,
-  Reason,
-  SaveFailed,
+import {
+  maxSaveUnacknowledged,
+  type ProgramName,
+  type PupilAnswer,
+  type PupilRequest,
+  type Reason,
+  type SaveFailed,
 } from "../../wire/classroom/pupil_messages.generated.ts"
 import type {Memberships} from "../messages/membership.ts"
 import {LocalPrograms, type Naming} from "./local_programs.ts"
@@ -232,7 +233,10 @@ class Synchronization implements ClassSync {
     const {version: base, marks: unacknowledged} = record
     behind.delete(id)
     // Before it is sent: a page that ends now must know later what the service may have stored.
-    this.programs.setRecord(id, {...record, marks: [...new Set([...unacknowledged, mark])].slice(-mostMarks)})
+    this.programs.setRecord(id, {
+      ...record,
+      marks: [...new Set([...unacknowledged, mark])].slice(-maxSaveUnacknowledged),
+    })
     const sent = this.send({op: "save", program: id, name, text, reason, base, mark, unacknowledged})
     if (sent) saves.set(mark, {program: id, hash})
     else {
@@ -277,6 +281,3 @@ class Synchronization implements ClassSync {
     this.push(copy, "change")
   }
 }
-
-/// Marks that the service accepts in a request (protocol §11).
-const mostMarks = 20

@@ -13,21 +13,25 @@ export function StarResult({open, step}: {open: OpenLesson; step: Step}): VNode 
   const done = usePageState(s => s.lessons.progress[open.lesson.name]) ?? []
   const all = step.checks.length
   const best = starIds(all).filter(star => done.includes(star)).length
-  const told = open.checks
-  const w = words.challenges
-  const isOver = told !== null && told.run !== null && told.over
-  const earned = isOver ? earnedStars(step, told) : 0
-  const next = isOver ? nextStar(step, told) : null
+  const result = open.checks
+  const {challenges} = words
+  const isOver = result !== null && result.run !== null && result.over
+  const earned = isOver ? earnedStars(step, result) : 0
+  const next = isOver ? nextStar(step, result) : null
   return (
     <div class="star-result">
       <p>
-        {w.best} <StarRow earned={best} all={all} />
+        {challenges.best} <StarRow earned={best} all={all} />
       </p>
       <p aria-live="polite" data-testid="star-result">
         {isOver && (
           <>
-            <b>{w.thisRun(earned, all)}</b>{" "}
-            {next === null ? w.allStars : <TextWithCode text={w.next(next.text)} strong={null} />}
+            <b>{challenges.thisRun(earned, all)}</b>{" "}
+            {next === null ? (
+              challenges.allStars
+            ) : (
+              <TextWithCode text={challenges.next(next.text)} strong={null} />
+            )}
           </>
         )}
       </p>

@@ -2,10 +2,11 @@
 
 import type {VNode} from "preact"
 import {useState} from "preact/hooks"
-import {type Companion, freePlace, isFreePlace, mostCompanions} from "../../state/runs/companions.ts"
+import {type Companion, freePlace, isFreePlace} from "../../state/runs/companions.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {Dialog} from "../../ui/controls.tsx"
 import {BinIcon, CloserIcon} from "../../ui/icons.tsx"
+import {maxRunCompanions} from "../../wire/page/runs.generated.ts"
 import {words} from "../../words/index.ts"
 import type {World} from "../../worlds/world.ts"
 import {Angle, PlaceFields} from "./property_fields.tsx"
@@ -39,7 +40,7 @@ function Companions(): VNode | null {
   }
   const add = () => {
     const at = freePlace(world, companions)
-    if (companions.length >= mostCompanions) setRefusal(w.full(mostCompanions))
+    if (companions.length >= maxRunCompanions) setRefusal(w.full(maxRunCompanions))
     else if (at === null) setRefusal(w.noPlace)
     else choose([...companions, {...at, program: null}])
   }

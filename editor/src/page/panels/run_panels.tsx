@@ -111,7 +111,7 @@ function LineText({line}: {line: ConsoleLine}): VNode {
       if (reply === null) return <code class="text">{line.text}</code>
       return (
         <span class="text">
-          <code>{reply.name}</code> {reply.said}
+          <code>{reply.name}</code> {reply.text}
         </span>
       )
     }

@@ -10,9 +10,6 @@ export interface Companion extends Pose {
   readonly program: {readonly id: string; readonly name: string; readonly text: string} | null
 }
 
-/// protocol §4, `run`.
-export const mostCompanions = 3
-
 /// Floor that robots leave between them at the start, m.
 const gap = 0.02
 
@@ -55,7 +52,6 @@ export function inOtherRoom(world: World, companions: readonly Companion[]): rea
 /// What a request for a run says of them; `text` is the open program.
 export const companionsOf = (companions: readonly Companion[], text: string) =>
   companions.map(({program, x, y, theta}) => ({
-    name: program?.name ?? "",
     source: program?.text ?? text,
     x,
     y,

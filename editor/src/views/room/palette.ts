@@ -1,5 +1,7 @@
 /// Colours of the room, read from the page's CSS tokens.
 
+import {maxRunCompanions} from "../../wire/page/runs.generated.ts"
+
 export interface Palette {
   readonly floor: string
   readonly grid: string
@@ -61,7 +63,7 @@ export function paletteOf(token: (name: string) => string): Palette {
     ring: token("--robot-ring"),
     mark: token("--robot-mark"),
     leds: [token("--led-black"), token("--led-green"), token("--led-orange"), token("--led-red")],
-    companions: [2, 3, 4].map(number => token(`--robot-${number}`)),
+    companions: Array.from({length: maxRunCompanions}, (_, i) => token(`--robot-${i + 2}`)),
     inks: penColors.map(color => token(`--pen-${color}`)),
     font: token("--ui"),
   }

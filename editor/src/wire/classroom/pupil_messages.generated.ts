@@ -70,6 +70,8 @@ export interface Save {
   readonly mark: string
   readonly unacknowledged?: readonly string[]
 }
+/// The most unacknowledged of a `save`.
+export const maxSaveUnacknowledged = 50
 
 /// The newest version of an own program.
 export interface Read {

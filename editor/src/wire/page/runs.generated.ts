@@ -26,7 +26,6 @@ export const goal: read.Decoder<Goal> = /*#__PURE__*/ read.struct<Goal>({
 
 /// One more robot in the room of a run: its program, and where it starts, m and rad.
 export interface Companion {
-  readonly name: string
   readonly source: string
   readonly x: number
   readonly y: number
@@ -49,6 +48,8 @@ export interface Run {
   readonly paused?: boolean
   readonly companions?: readonly Companion[]
 }
+/// The most companions of a `run`.
+export const maxRunCompanions = 3
 
 /// End the run.
 export interface Stop {

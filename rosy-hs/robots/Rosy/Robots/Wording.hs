@@ -83,7 +83,7 @@ machineLanguage = do
 languages :: [Text]
 languages = Map.keys known
 
--- | What a table of @languages@ says: the forms of its language (protocol/README.md, section 1.1), and the translation of a template.
+-- | What @languages/<tag>/sentences.json@ says: the forms of its language (protocol/README.md, section 1.1), and the translation of a template.
 data Table = Table
   { ofType :: Text,
     ofFunction :: Text,

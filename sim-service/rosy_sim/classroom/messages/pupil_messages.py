@@ -105,7 +105,7 @@ class Save(msgspec.Struct, tag="save", tag_field="op"):
     reason: Reason
     base: int
     mark: Identifier
-    unacknowledged: Annotated[list[Identifier], msgspec.Meta(max_length=50)] = []
+    unacknowledged: Annotated[list[Identifier], msgspec.Meta(max_length=50, extra={"constant": True})] = []
 
 
 class Read(msgspec.Struct, tag="read", tag_field="op"):

@@ -28,7 +28,7 @@ _NO_WAY, _HELD_UP = 208, 105
 """nav2_msgs, action/ComputePathToPose.action: NO_VALID_PATH; action/FollowPath.action: FAILED_TO_MAKE_PROGRESS."""
 
 _MESSAGES = {0: "", _NO_WAY: "no way leads there", _HELD_UP: "something is in the way"}
-"""What the server says of a code, in English as servers do; the page translates it (``robotTexts`` in its words)."""
+"""What the server says of a code, in English as servers do; the page translates it (``replies`` in its words)."""
 
 _MARGIN = CELL
 """Free way around the robot on its path, m: between two cells it is less."""

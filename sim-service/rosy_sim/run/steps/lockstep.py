@@ -22,8 +22,9 @@ from typing import Literal
 
 import msgspec
 
+from ...robot_description import simulated_action
 from ...sentences.sentence import Sentence, tr
-from ...wire.action_frames import action_name, has_substitute, reply_frame, service_failure
+from ...wire.action_frames import has_substitute, reply_frame, service_failure
 from ...wire.channels import Values
 from ...wire.link_messages import NO_FIRINGS, CancelActionGoal, Ended, Ready, SendActionGoal, Settled
 from ...wire.robot_link import Request, SimulatorLink, start_line, step_line, stop_line
@@ -233,7 +234,7 @@ class Lockstep:
         actions = self.world.actions
         if isinstance(request, SendActionGoal):
             self._goals[request.id] = request.action
-            is_known = actions.send(PROGRAM, request.id, action_name(request.action), request.args)
+            is_known = actions.send(PROGRAM, request.id, simulated_action(request.action), request.args)
             if not is_known and not has_substitute(request):
                 self.unavailable.append(request.action)
         elif isinstance(request, CancelActionGoal):

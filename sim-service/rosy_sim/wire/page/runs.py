@@ -54,7 +54,6 @@ MAX_COMPANIONS = 3
 class Companion(msgspec.Struct):
     """One more robot in the room of a run: its program, and where it starts, m and rad."""
 
-    name: str
     source: str
     x: float
     y: float
@@ -79,7 +78,7 @@ class Run(msgspec.Struct, tag="run", tag_field="op"):
     of: int | None = None
     twin: int | None = None
     paused: bool = False
-    companions: Annotated[list[Companion], msgspec.Meta(max_length=MAX_COMPANIONS)] = []
+    companions: Annotated[list[Companion], msgspec.Meta(max_length=MAX_COMPANIONS, extra={"constant": True})] = []
 
 
 class Stop(msgspec.Struct, tag="stop", tag_field="op"):

@@ -74,10 +74,10 @@ function follow(
     stage.classList.add("connecting")
     stage.setPointerCapture(down.pointerId)
   }
-  const say = openVerdicts(note, to => options.verdict(from.end, to))
+  const showVerdict = openVerdicts(note, to => options.verdict(from.end, to))
   const point = (next: Grip | null) => {
     target = next
-    say(next)
+    showVerdict(next)
   }
   const move = (event: PointerEvent) => {
     if (event.pointerId !== down.pointerId) return

@@ -22,7 +22,7 @@ export function openVerdicts(
 ): (next: Grip | null) => void {
   const known = new Map<string, Verdict>()
   let target: Grip | null = null
-  const say = ({element}: Grip, {fits, text}: Verdict) => {
+  const show = ({element}: Grip, {fits, text}: Verdict) => {
     element.classList.add(fits ? "fits" : "misfits")
     note.textContent = text
     note.classList.toggle("misfits", !fits)
@@ -35,13 +35,13 @@ export function openVerdicts(
     if (next === null) return
     const key = `${next.end.kind} ${next.end.type}`
     const before = known.get(key)
-    if (before !== undefined) return say(next, before)
+    if (before !== undefined) return show(next, before)
     later(() => {
       // What the pointer has left by then is not asked for.
       if (target !== next) return
       const verdict = ask(next.end)
       known.set(key, verdict)
-      say(next, verdict)
+      show(next, verdict)
     })
   }
 }

@@ -13,7 +13,7 @@ export interface PinchZoom {
 const least = 0.4
 const most = 3
 
-/// Zoom of one notch of the wheel, as an exponent.
+/// Zoom of a pixel that the wheel scrolls, as an exponent.
 const perPixel = 0.002
 
 /// `fit` sizes a drawing of that width when there is no zoom.

@@ -10,8 +10,8 @@ import asyncio
 from collections import deque
 from collections.abc import Iterable
 
+from ....robot_description import simulated_actions
 from ....robots import ROBOTS
-from ....robots.shared.navigate_drive import NAVIGATE_ACTION
 from ....wire.channels import Values
 from ....wire.ros.actionlib import ACTIONLIB, KEPT_RESULTS, STATUS_STEPS, goal_of, reply_message, status_message
 from ....wire.ros.ros_messages import completed
@@ -23,8 +23,10 @@ from ....world.world import Odometry
 
 __all__ = ["MAX_CLIENTS", "RosBridge", "RosClient"]
 
-_ACTIONS = frozenset(action for robot in ROBOTS.values() for action in robot.actions) - {NAVIGATE_ACTION}
-"""Those of any robot of the simulator that ROS 1 has as topics; ROS 1 has no Nav2."""
+_ACTIONS = frozenset(action for robot in ROBOTS.values() for action in robot.actions) & set(
+    simulated_actions("ros1").values()
+)
+"""Those of any robot of the simulator that ROS 1 has as topics."""
 
 MAX_CLIENTS = 20
 """Connections of one session."""
