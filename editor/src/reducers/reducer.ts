@@ -72,6 +72,7 @@ function next(state: PageState, event: PageEvent): Transition {
     case "test-room-opened":
     case "own-room-restored":
     case "companions-chosen":
+    case "companions-stored":
     case "companion-placed":
     case "world-editor-opened":
     case "world-edited":

@@ -44,14 +44,19 @@ export function reduceWorldEvent(state: PageState, event: WorldEvent): Transitio
       const {state: reset, effects} = reduceRunEvent(state, {kind: "reset-pressed"})
       return {state: {...reset, companions}, effects}
     }
+    case "companions-stored":
+      return still({...state, companions: event.companions})
     case "companion-placed": {
       const {world, run} = state.room
       const others = state.companions.filter((_, i) => i !== event.companion)
-      if (world === null || run !== null || !isFreePlace(world, event.place, others)) return still(state)
+      if (world === null || run !== null) return still(state)
+      const isTaken = !isFreePlace(world, event.place, others)
+      const notice = noticed(state.notice, isTaken, words.companions.taken)
+      if (isTaken) return still({...state, notice})
       const companions = state.companions.map((one, i) =>
         i === event.companion ? {...one, ...event.place} : one,
       )
-      return still({...state, companions})
+      return still({...state, companions, notice})
     }
     case "world-editor-opened": {
       const {world} = state.room
@@ -128,7 +133,15 @@ export function inWorld(state: PageState, world: World): PageState {
   const same = known !== null && known.name === world.name && `${known.size}` === `${world.size}`
   const follows = same ? state.follows : isLarge(world)
   const companions = inOtherRoom(world, state.companions)
-  return {...state, follows, companions, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
+  const isCrowded = companions.length < state.companions.length
+  const notice = isCrowded ? noticed(state.notice, true, words.companions.noPlace) : state.notice
+  return {...state, follows, companions, notice, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
+}
+
+/// The notice with this message while something is refused, which disappears when it is not.
+function noticed(notice: PageState["notice"], isRefused: boolean, message: string): PageState["notice"] {
+  if (isRefused) return {kind: "refusal", message, hint: ""}
+  return notice?.kind === "refusal" && notice.message === message ? null : notice
 }
 
 /// Makes a world the room, and saves it with the program.

@@ -147,7 +147,9 @@ export type WorldEvent =
   | {readonly kind: "own-room-restored"}
   /// The room has these robots besides the first one. Ends a run, as another room does.
   | {readonly kind: "companions-chosen"; readonly companions: readonly Companion[]}
-  /// A hand puts one of them in another place before a run; nothing happens where it has no room.
+  /// The programs of some of them are stored anew; a run goes on.
+  | {readonly kind: "companions-stored"; readonly companions: readonly Companion[]}
+  /// A hand puts one of them in another place before a run; it stays where it was, which is said, where it has no room.
   | {readonly kind: "companion-placed"; readonly companion: number; readonly place: Pose}
   | {readonly kind: "world-editor-opened"}
   | {readonly kind: "world-edited"; readonly edit: WorldEdit}

@@ -91,7 +91,7 @@ export function move(editor: WorldEditor, at: Spot): WorldEditor {
       // A line that is full has room again when it is thinned.
       const longer = (world: World) => withPoint(world, part, tool, here)
       const now = longer(editor.world) ?? longer(withThinnedLine(editor.world, part))
-      return now === null ? editor : {...editor, world: now}
+      return now === null ? {...editor, refused: "points"} : {...editor, world: now, refused: null}
     }
     case "paint": {
       const {tool} = editor

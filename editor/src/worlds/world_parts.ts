@@ -51,12 +51,13 @@ export function removePart(world: World, part: Part): World {
   return {...world, [key]: list.filter((_, i) => i !== part.index)}
 }
 
-/// Limits of the schema on the number of parts: walls, boxes and posts together, those that can be pushed, lines, goals.
+/// Limits of the schema: walls, boxes and posts together, those that can be pushed, lines, goals, and the points of one line or shape.
 export const partLimits = {
   things: limits.things,
   movable: limits.movable,
   lines: limits.lines,
   goals: limits.goals,
+  points: limits.points,
 } as const
 export type PartLimit = keyof typeof partLimits
 
@@ -65,6 +66,8 @@ const counts: Readonly<Record<PartLimit, (world: World) => number>> = {
   movable: ({boxes, rounds}) => [...boxes, ...rounds].filter(thing => thing.movable).length,
   lines: ({lines}) => lines.length,
   goals: ({goals}) => goals.length,
+  points: ({lines, goals}) =>
+    Math.max(0, ...[...lines, ...goals].map(part => ("points" in part ? part.points.length : 0))),
 }
 
 /// The limit that a world exceeds; `null` for none.

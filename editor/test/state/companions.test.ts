@@ -6,6 +6,7 @@ import {readServiceMessage} from "../../src/state/messages/message_decoder.ts"
 import {initialState, type PageState} from "../../src/state/page_state.ts"
 import {type Companion, freePlace, isFreePlace} from "../../src/state/runs/companions.ts"
 import {CompanionMotions} from "../../src/views/room/robots/companion_drawing.ts"
+import {words} from "../../src/words/index.ts"
 import type {World} from "../../src/worlds/world.ts"
 import {emptyRoom} from "../worlds/worlds.ts"
 import {document, ended, frame, hear, play, press, running, text} from "./event_player.ts"
@@ -55,8 +56,8 @@ describe("a run with other robots", () => {
       {
         op: "run",
         companions: [
-          {name: "", source: text, x: 1, y: 3, theta: 0},
-          {name: "Square", source: "main = square\n", x: 3, y: 3, theta: 1},
+          {source: text, x: 1, y: 3, theta: 0},
+          {source: "main = square\n", x: 3, y: 3, theta: 1},
         ],
       },
     ])
@@ -126,7 +127,10 @@ describe("a robot that is dragged", () => {
   it("goes to free floor, and stays where it was elsewhere and during a run", () => {
     const moved = play(open, chosen(companion, other), placed(1.5, 3)).state
     expect(moved.companions[0]).toMatchObject({x: 1.5, y: 3, program: null})
-    expect(play(moved, placed(2.9, 3)).state.companions[0]?.x).toBe(1.5)
+    const taken = play(moved, placed(2.9, 3)).state
+    expect(taken.companions[0]?.x).toBe(1.5)
+    expect(taken.notice).toMatchObject({kind: "refusal", message: words.companions.taken})
+    expect(play(taken, placed(1.4, 3)).state.notice).toBeNull()
     expect(play(moved, press, running(1), placed(1, 3)).state.companions[0]?.x).toBe(1.5)
   })
 })
@@ -138,7 +142,9 @@ describe("another room", () => {
     expect(state.companions[1]).toEqual(other)
     expect(state.companions[0]?.x === 1 && state.companions[0].y === 3).toBe(false)
     const narrow: World = {...room, size: [0.5, 0.5], start: {x: 0.25, y: 0.25, theta: 0}}
-    expect(play(open, chosen(companion), hear({op: "world", world: narrow})).state.companions).toEqual([])
+    const crowded = play(open, chosen(companion), hear({op: "world", world: narrow})).state
+    expect(crowded.companions).toEqual([])
+    expect(crowded.notice).toMatchObject({message: words.companions.noPlace})
   })
 })
 

@@ -71,6 +71,8 @@ export const world: Words["world"] = {
       `Höchstens ${most} Dinge in einem Raum lassen sich schieben. Lösche eines, oder zeichne eines, das fest steht.`,
     lines: (most: number) =>
       `Ein Raum kann höchstens ${most} Linien haben. Nimm eine weg, bevor du eine neue zeichnest.`,
+    points: (most: number) =>
+      `Eine Linie oder Form kann höchstens ${most} Punkte haben. Lass los und beginne eine neue.`,
     goals: (most: number) =>
       `Ein Raum kann höchstens ${most} Ziele haben. Lösche eines, bevor du ein weiteres anlegst.`,
   },

@@ -69,6 +69,7 @@ export const world = {
     movable: (most: number) =>
       `At most ${most} things in a room can be pushed. Delete one, or draw one that stands still.`,
     lines: (most: number) => `A room can have at most ${most} lines. Delete one before you draw another.`,
+    points: (most: number) => `A line or a shape can have at most ${most} points. Let go, and begin another.`,
     goals: (most: number) => `A room can have at most ${most} goals. Delete one before you add another.`,
   },
   snap: "Snap to the grid",

@@ -71,6 +71,8 @@ export const world: Words["world"] = {
       `En una sala se pueden empujar como mucho ${most} cosas. Elimina una o dibuja una que no se mueva.`,
     lines: (most: number) =>
       `Una sala puede tener como mucho ${most} líneas. Elimina una antes de dibujar otra.`,
+    points: (most: number) =>
+      `Una línea o forma puede tener como mucho ${most} puntos. Suelta y empieza otra.`,
     goals: (most: number) =>
       `Una sala puede tener como mucho ${most} objetivos. Elimina uno antes de añadir otro.`,
   },

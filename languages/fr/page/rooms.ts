@@ -72,6 +72,8 @@ export const world: Words["world"] = {
       `Dans une salle, au plus ${most} choses peuvent être poussées. Supprimes-en une, ou dessine une chose fixe.`,
     lines: (most: number) =>
       `Une salle peut avoir au plus ${most} lignes. Supprimes-en une avant d’en dessiner une autre.`,
+    points: (most: number) =>
+      `Une ligne ou une forme peut avoir au plus ${most} points. Relâche et commences-en une autre.`,
     goals: (most: number) =>
       `Une salle peut avoir au plus ${most} buts. Supprimes-en un avant d’en ajouter un autre.`,
   },

@@ -71,6 +71,7 @@ export const world: Words["world"] = {
       `Numa sala, no máximo ${most} coisas podem ser empurradas. Apague uma ou desenhe uma que fique parada.`,
     lines: (most: number) =>
       `Uma sala pode ter no máximo ${most} linhas. Apague uma antes de desenhar outra.`,
+    points: (most: number) => `Uma linha ou forma pode ter no máximo ${most} pontos. Solte e comece outra.`,
     goals: (most: number) => `Uma sala pode ter no máximo ${most} metas. Apague uma antes de criar outra.`,
   },
   snap: "Prender à grade",

@@ -8,6 +8,7 @@ import type {AppController, MyPrograms} from "../../ui/app_context.ts"
 import {words} from "../../words/index.ts"
 import {freshName, freshPlace} from "./autosave.ts"
 import type {ProgramLoader} from "./program_loader.ts"
+import {followStoredPrograms} from "./stored_companions.ts"
 
 type MyProgramCommands = Pick<AppController, "openMyPrograms" | "myPrograms">
 
@@ -27,16 +28,18 @@ export function myProgramCommands(
 
 function openMyPrograms(store: Store, loader: ProgramLoader, programStore: ProgramStore): MyPrograms {
   const isOpen = (id: string) => loader.storedId() === id
+  const haskell = (id: string) => {
+    const parsed = parseProject(programStore.read(id) ?? "")
+    return parsed.ok ? parsed.project.haskell : null
+  }
+  followStoredPrograms(store, haskell)
   const nameOf = (id: string) => programStore.programs().find(program => program.id === id)?.name ?? ""
   return {
     list: programStore.programs,
     deleted: programStore.deleted,
     picture: id => readBlockPicture(programStore.picture(id)),
     isOpen,
-    haskell(id) {
-      const parsed = parseProject(programStore.read(id) ?? "")
-      return parsed.ok ? parsed.project.haskell : null
-    },
+    haskell,
     open(id) {
       const text = programStore.read(id)
       if (text !== null) loader.openText(words.yourProgram, text, {id})

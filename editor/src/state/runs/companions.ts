@@ -6,7 +6,7 @@ import {startFaultKind} from "../../worlds/start_validation.ts"
 import {type Pose, robotRadius, type World} from "../../worlds/world.ts"
 
 export interface Companion extends Pose {
-  /// A program of the learner as it was stored when it was chosen; `null` is the one that is open.
+  /// A program of the learner as it is stored; `null` is the one that is open.
   readonly program: {readonly id: string; readonly name: string; readonly text: string} | null
 }
 
