@@ -1,5 +1,5 @@
 /// Characters that look like those of Haskell, made by scripts/confusable_characters.py from ConfusableCharacters.hs of the worker.
-/// Names are sentences of languages.
+/// Names are sentences of languages/<tag>/sentences.json.
 
 /// What is written for a sign, and the sign's name.
 export const confusableSigns: ReadonlyMap<string, readonly [plain: string, name: string]> = new Map([

@@ -135,7 +135,13 @@ export function inWorld(state: PageState, world: World): PageState {
   const companions = inOtherRoom(world, state.companions)
   const isCrowded = companions.length < state.companions.length
   const notice = isCrowded ? noticed(state.notice, true, words.companions.noPlace) : state.notice
-  return {...state, follows, companions, notice, room: {...state.room, world, idle: true, fixPreviews: noFixPreviews}}
+  return {
+    ...state,
+    follows,
+    companions,
+    notice,
+    room: {...state.room, world, idle: true, fixPreviews: noFixPreviews},
+  }
 }
 
 /// The notice with this message while something is refused, which disappears when it is not.

@@ -86,7 +86,7 @@ const glossary: Readonly<Record<Translation, readonly Entry[]>> = {
       idea: "to turn",
       word: "girar",
       not: /\b([Vv]ire|[Vv]ira|virada)\b/,
-      files: /(blocks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/,
+      files: /(blocks|tasks|worksheets|welcome)\.ts$|^docs\/pt\/(?!study)/,
     },
     {
       idea: "pressed bumper",

@@ -12,7 +12,6 @@ export const blocks: Pick<
   | "raw"
   | "answers"
   | "priority"
-  | "tasks"
   | "values"
   | "operators"
 > = {
@@ -304,125 +303,6 @@ export const blocks: Pick<
     theFirstKeepsTheRobot:
       "Zwei Funktionen steuern dasselbe: Die erste behält den Roboter so lange nach ihrem letzten Befehl. Beispiel: zuerst ausweichen für 1 s, sonst weiterfahren.",
     firstForSecondsOtherwise: "zuerst das eine, für einige Sekunden, sonst das andere",
-  },
-  tasks: {
-    driveBack: "fahre zurück für",
-    drivesBack: "Fährt einige Sekunden rückwärts und bleibt dann stehen. Beispiel: fahre zurück für 1 s.",
-    turnBetween: "drehe zufällig zwischen",
-    upTo: "und",
-    leastDegrees: "kleinster Winkel in Grad",
-    mostDegrees: "größter Winkel in Grad",
-    turnsBetween:
-      "Dreht um einen zufälligen Winkel; links ist positiv. Beispiel: drehe zufällig zwischen -90 und 90.",
-    goTo: "fahre zu",
-    metresAhead: "m vorn,",
-    metresLeft: "m links",
-    goesTo:
-      "Dreht sich zu einem Ort, fährt gerade hin und bleibt stehen. Gemessen wird von dort, wo das Programm begann; eine negative Zahl ist hinten oder rechts. Beispiel: fahre zu 1 m vorn, 0,5 m links.",
-    dock: "fahre in die Ladestation",
-    docks:
-      "Fährt in die Ladestation, wenn der Roboter sie sieht, und bleibt stehen. Gib dem Ergebnis einen Namen, um zu erfahren, ob es geklappt hat: Succeeded (), Aborted, Unavailable. Beispiel: fahre bis zu einem Stoß, dann in die Ladestation.",
-    undock: "verlasse die Ladestation",
-    undocks:
-      "Verlässt die Ladestation: 30 cm zurück, oder so, wie es der Roboter selbst macht. Beispiel: verlasse die Ladestation, dann fahre 50 Zentimeter.",
-    navigateTo: "finde einen Weg zu",
-    facing: "Blick",
-    navigates:
-      "Fährt zu einem Ort um alles herum, was im Weg steht, und dreht sich wie verlangt: 0 ist wie beim Start, 90 links davon. Gemessen wird von dort, wo das Programm begann. Benenne das Ergebnis, um zu erfahren, ob es ging: Succeeded (), Aborted, Unavailable. Beispiel: finde einen Weg zu 2 m vorn, 1 m links.",
-    curve: "fahre und drehe",
-    untilAnObstacle: "Grad je Sekunde bis zu einem Stoß oder einer Kante",
-    degreesASecond: "Grad je Sekunde",
-    curves:
-      "Fährt eine Kurve, bis die Stoßstange gedrückt wird oder eine Kante kommt, und bleibt stehen; links ist positiv, 0 ist geradeaus. Beispiel: fahre und drehe -20 Grad je Sekunde.",
-    either: "entweder",
-    or: "oder",
-    oneStep: "die eine Aufgabe",
-    otherStep: "die andere Aufgabe",
-    eitherByChance: "Tut zufällig eines von beiden. Beispiel: entweder drehe 90 oder drehe -90.",
-    thereIsNoStepHereYet: "Hier ist noch kein Schritt.",
-    putAtLeastOneStepInto: "Setze mindestens einen Schritt in den Stapel.",
-    theLastStepMustDoSomething: "Der letzte Schritt muss etwas tun.",
-    afterNamingAValueAddAStep: "Setze nach dem Benennen einen Schritt, der den Wert benutzt.",
-    doTheseSteps: "tu diese Schritte",
-    stepsOneAfterTheOther: "Schritte, einer nach dem anderen",
-    doesItsStepsOneAfterTheOther:
-      "Tut seine Schritte einen nach dem anderen. Beispiel: warte 1, dann sag “done”.",
-    stepsOneAfterTheOther2: "Schritte nacheinander",
-    do: "tu",
-    whatToDo: "was zu tun ist",
-    lookInside: (name: string) => `in ${name} hineinschauen`,
-    andCallItsResult: "und nenne das Ergebnis",
-    nameOfTheResult: "Name des Ergebnisses",
-    doesSomethingAndNamesWhatComesOut:
-      "Tut etwas und gibt dem Ergebnis einen Namen, für die Schritte darunter. Beispiel: tu measure und nenne das Ergebnis d.",
-    doAndNameTheResult: "tun und das Ergebnis benennen",
-    let: "sei",
-    definitionsForTheStepsBelow: "Definitionen für die Schritte darunter",
-    definesNamesForTheStepsBelow: "Legt Namen für die Schritte darunter fest. Beispiel: sei speed ist 0.5.",
-    letForTheStepsBelow: "sei, für die Schritte darunter",
-    if: "wenn",
-    condition: "Bedingung",
-    stepsIfSo: "Schritte, wenn ja",
-    else: "sonst",
-    stepsIfNot: "Schritte, wenn nein",
-    doesOneOrTheOther: "Tut das eine oder das andere. Beispiel: wenn d > 1 tu sag “far” sonst sag “near”.",
-    ifDoElse: "wenn, tu, sonst",
-    task: "Aufgabe",
-    doesSomethingThenGoesOnBelow: "Tut etwas und macht darunter weiter. Beispiel: tu move (Forward 50).",
-    repeat: "wiederhole",
-    howManyTimes: "wie oft",
-    number: "Zahl",
-    times: "mal",
-    stepsToRepeat: "Schritte zum Wiederholen",
-    doesItsStepsANumberOfTimes: "Tut seine Schritte mehrmals. Beispiel: wiederhole 4 mal.",
-    forever: "für immer",
-    stepsToRepeatForEver: "Schritte, die immer wiederholt werden",
-    doesItsStepsAgainAndAgain: "Tut seine Schritte immer wieder. Beispiel: für immer sag “tick” und warte 1.",
-    onlyIf: "nur wenn",
-    stepsIfTheConditionHolds: "Schritte, wenn die Bedingung gilt",
-    doesItsStepsIfTheConditionHolds:
-      "Tut seine Schritte, wenn die Bedingung gilt, und sonst nichts. Beispiel: nur wenn d > 1, sag “far”.",
-    unless: "außer wenn",
-    stepsIfTheConditionDoesNotHold: "Schritte, wenn die Bedingung nicht gilt",
-    doesItsStepsIfTheConditionDoes:
-      "Tut seine Schritte, wenn die Bedingung nicht gilt. Beispiel: außer wenn d > 1, sag “near”.",
-    say: "sag",
-    text: "Text",
-    theRobotSaysSomething: "Der Roboter sagt etwas. Beispiel: sag “done”.",
-    wait: "warte",
-    seconds: "Sekunden",
-    waits: "Wartet. Beispiel: warte 2 Sekunden.",
-    drive: "fahre",
-    centimetres: "Zentimeter",
-    drives:
-      "Fährt so viele Zentimeter vorwärts und bleibt stehen; rückwärts, wenn die Zahl negativ ist. Beispiel: fahre 50 cm.",
-    turn: "drehe um",
-    degrees: "Grad",
-    degreesUnit: "Grad",
-    turns:
-      "Dreht sich auf der Stelle, nach links; nach rechts, wenn die Zahl negativ ist. Beispiel: drehe um 90 Grad ist eine Vierteldrehung nach links.",
-    driveUntilABump: "fahre bis zu einem Stoß",
-    drivesUntilABump:
-      "Fährt vorwärts, bis die Stoßstange gedrückt wird, und bleibt stehen. Das Ergebnis ist die Seite der Stoßstange. Beispiel: fahre bis zu einem Stoß, dann drehe um 180 Grad.",
-    driveUntil: "fahre, bis",
-    functionThatGivesDone: "Funktion, die Done ergibt",
-    drivesUntil:
-      "Fährt vorwärts, bis die Funktion Done ergibt, und bleibt stehen. Beispiel: fahre, bis ein Knopf gedrückt wird.",
-    blink: "blinke",
-    colour: "Farbe",
-    blinks: "Eine halbe Sekunde Licht, eine halbe Sekunde keines. Beispiel: blinke Red.",
-    beep: "piepe",
-    beeps: "Ein kurzer Ton. Beispiel: fahre bis zu einem Stoß, dann piepe.",
-    penDown: "Stift runter",
-    pensDown:
-      "Senkt den Stift: ab hier zeichnet der Roboter im Simulator, wo er fährt. Beispiel: Stift runter, dann fahre 50 cm.",
-    penUp: "Stift hoch",
-    pensUp:
-      "Hebt den Stift: der Roboter fährt weiter und zeichnet nicht. Beispiel: Stift hoch, dann fahre 20 cm.",
-    penColor: "zeichne mit",
-    pensColor: "Zeichnet ab hier in dieser Farbe. Beispiel: zeichne mit RedInk.",
-    penWidth: "Stiftbreite",
-    pensWidth: "Zeichnet ab hier so viele Zentimeter breit, höchstens 50. Beispiel: Stiftbreite 5 cm.",
   },
   values: {
     number: "Zahl",

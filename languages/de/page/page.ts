@@ -17,6 +17,7 @@ export const page: Omit<
   | "diagram"
   | "film"
   | "graph"
+  | "replies"
   | "roomTests"
   | "preview"
   | "runs"
@@ -335,22 +336,6 @@ export const page: Omit<
     off: "Die Sicherheitsregeln sind aus: Nur dein Programm fährt, hier und auf echten Robotern",
     overrides: "Sicherheitsregeln: weicht zurück…",
     tookOver: "Die Sicherheitsregeln übernehmen: weicht zurück",
-  },
-  replies: {
-    answered: "antwortet:",
-    Feedback: "noch dabei",
-    Succeeded: "fertig",
-    Rejected: "abgelehnt",
-    Aborted: "aufgegeben",
-    Cancelled: "abgebrochen",
-    Unavailable: "das kann hier niemand",
-    succeeded: {dock: "angedockt", navigateTo: "angekommen"},
-    reasons: {
-      "no dock is in sight": "keine Ladestation in Sicht",
-      "something is in the way": "etwas ist im Weg",
-      "it took too long": "es hat zu lange gedauert",
-      "no way leads there": "kein Weg führt dorthin",
-    },
   },
   blocked: {
     pushes: "Der Roboter drückt gegen etwas und kommt nicht weiter.",

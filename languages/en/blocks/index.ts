@@ -4,7 +4,8 @@ import {blocks} from "./blocks.ts"
 import {commandLine} from "./command_line.ts"
 import {reasons} from "./reasons.ts"
 import {sentences} from "./sentences.ts"
+import {tasks} from "./tasks.ts"
 import {toolbox} from "./toolbox.ts"
 import {vocabulary} from "./vocabulary.ts"
 
-export const en = {...blocks, ...vocabulary, ...sentences, toolbox, reasons, commandLine} as const
+export const en = {...blocks, ...vocabulary, ...sentences, tasks, toolbox, reasons, commandLine} as const

@@ -330,23 +330,6 @@ export const page = {
     overrides: "Safety rules: backing off…",
     tookOver: "The safety rules take over: backing off",
   },
-  /// Replies of the robot's own programs in the console: the first word is whose reply it is.
-  replies: {
-    answered: "answered:",
-    Feedback: "still at work",
-    Succeeded: "done",
-    Rejected: "refused",
-    Aborted: "given up",
-    Cancelled: "stopped",
-    Unavailable: "nobody here does that",
-    succeeded: {dock: "docked", navigateTo: "arrived"},
-    reasons: {
-      "no dock is in sight": "no dock is in sight",
-      "something is in the way": "something is in the way",
-      "it took too long": "it took too long",
-      "no way leads there": "no way leads there",
-    },
-  },
   blocked: {
     pushes: "The robot pushes against something and cannot drive on.",
     withBumper: "A function with Bumper as its input can turn it away.",

@@ -12,7 +12,6 @@ export const blocks: Pick<
   | "raw"
   | "answers"
   | "priority"
-  | "tasks"
   | "values"
   | "operators"
 > = {
@@ -298,126 +297,6 @@ export const blocks: Pick<
     theFirstKeepsTheRobot:
       "Dos funciones mandan lo mismo: la primera conserva el robot ese tiempo tras su último comando. Ejemplo: primero retroceder durante 1 s, si no avanzar.",
     firstForSecondsOtherwise: "primero uno, unos segundos, si no el otro",
-  },
-  tasks: {
-    driveBack: "retroceder durante",
-    drivesBack: "Retrocede unos segundos y se detiene. Ejemplo: retroceder durante 1 s.",
-    turnBetween: "girar al azar entre",
-    upTo: "y",
-    leastDegrees: "ángulo menor en grados",
-    mostDegrees: "ángulo mayor en grados",
-    turnsBetween:
-      "Gira un ángulo al azar; a la izquierda es positivo. Ejemplo: girar al azar entre -90 y 90.",
-    goTo: "ir a",
-    metresAhead: "m delante,",
-    metresLeft: "m a la izquierda",
-    goesTo:
-      "Gira hacia un lugar, va recto hasta él y se detiene. Se mide desde donde empezó el programa; un número negativo es detrás o a la derecha. Ejemplo: ir a 1 m delante, 0,5 m a la izquierda.",
-    dock: "entrar en la base",
-    docks:
-      "Entra en la base de carga, si el robot la ve, y se detiene. Da un nombre al resultado para saber si ha funcionado: Succeeded (), Aborted, Unavailable. Ejemplo: avanzar hasta chocar, después entrar en la base.",
-    undock: "salir de la base",
-    undocks:
-      "Sale de la base de carga: retrocede 30 cm, o como lo hace el propio robot. Ejemplo: salir de la base, después avanzar 50 centímetros.",
-    navigateTo: "buscar un camino a",
-    facing: "mirando a",
-    navigates:
-      "Va a un lugar rodeando lo que está en medio y gira como se pide: 0 es como al empezar, 90 a la izquierda. Se mide desde donde empezó el programa. Da un nombre al resultado para saber si salió bien: Succeeded (), Aborted, Unavailable. Ejemplo: buscar un camino a 2 m delante, 1 m a la izquierda.",
-    curve: "avanzar y girar",
-    untilAnObstacle: "grados por segundo hasta un choque o un borde",
-    degreesASecond: "grados por segundo",
-    curves:
-      "Avanza en curva hasta que se pulsa un parachoques o hay un borde, y se detiene; la izquierda es positiva, 0 es recto. Ejemplo: avanzar y girar -20 grados por segundo.",
-    either: "o bien",
-    or: "o bien",
-    oneStep: "una tarea",
-    otherStep: "la otra tarea",
-    eitherByChance: "Hace una de las dos, al azar. Ejemplo: o bien girar 90 o bien girar -90.",
-    thereIsNoStepHereYet: "Aquí todavía no hay ningún paso.",
-    putAtLeastOneStepInto: "Pon al menos un paso en la pila.",
-    theLastStepMustDoSomething: "El último paso tiene que hacer algo.",
-    afterNamingAValueAddAStep: "Después de poner nombre a un valor, añade un paso que lo use.",
-    doTheseSteps: "hacer estos pasos",
-    stepsOneAfterTheOther: "pasos, uno detrás de otro",
-    doesItsStepsOneAfterTheOther:
-      "Hace sus pasos uno detrás de otro. Ejemplo: esperar 1, después decir “done”.",
-    stepsOneAfterTheOther2: "pasos uno detrás de otro",
-    do: "hacer",
-    whatToDo: "lo que hay que hacer",
-    lookInside: name => `mirar dentro de ${name}`,
-    andCallItsResult: "y llamar al resultado",
-    nameOfTheResult: "nombre del resultado",
-    doesSomethingAndNamesWhatComesOut:
-      "Hace algo y pone nombre al resultado, para los pasos de abajo. Ejemplo: hacer measure y llamar al resultado d.",
-    doAndNameTheResult: "hacer y poner nombre al resultado",
-    let: "sea",
-    definitionsForTheStepsBelow: "definiciones para los pasos de abajo",
-    definesNamesForTheStepsBelow: "Define nombres para los pasos de abajo. Ejemplo: sea speed es 0.5.",
-    letForTheStepsBelow: "sea, para los pasos de abajo",
-    if: "si",
-    condition: "condición",
-    stepsIfSo: "pasos en caso afirmativo",
-    else: "si no",
-    stepsIfNot: "pasos en caso negativo",
-    doesOneOrTheOther: "Hace una cosa o la otra. Ejemplo: si d > 1 hacer decir “far” si no decir “near”.",
-    ifDoElse: "si, hacer, si no",
-    task: "tarea",
-    doesSomethingThenGoesOnBelow: "Hace algo y sigue abajo. Ejemplo: hacer move (Forward 50).",
-    repeat: "repetir",
-    howManyTimes: "cuántas veces",
-    number: "número",
-    times: "×",
-    stepsToRepeat: "pasos que se repiten",
-    doesItsStepsANumberOfTimes: "Hace sus pasos varias veces. Ejemplo: repetir 4 veces.",
-    forever: "para siempre",
-    stepsToRepeatForEver: "pasos que se repiten para siempre",
-    doesItsStepsAgainAndAgain:
-      "Hace sus pasos una y otra vez. Ejemplo: para siempre, decir “tick” y esperar 1.",
-    onlyIf: "solo si",
-    stepsIfTheConditionHolds: "pasos si se cumple la condición",
-    doesItsStepsIfTheConditionHolds:
-      "Hace sus pasos si se cumple la condición y, si no, nada. Ejemplo: solo si d > 1, decir “far”.",
-    unless: "a menos que",
-    stepsIfTheConditionDoesNotHold: "pasos si no se cumple la condición",
-    doesItsStepsIfTheConditionDoes:
-      "Hace sus pasos si no se cumple la condición. Ejemplo: a menos que d > 1, decir “near”.",
-    say: "decir",
-    text: "texto",
-    theRobotSaysSomething: "El robot dice algo. Ejemplo: decir “done”.",
-    wait: "esperar",
-    seconds: "segundos",
-    waits: "Espera. Ejemplo: esperar 2 segundos.",
-    drive: "avanzar",
-    centimetres: "centímetros",
-    drives:
-      "Avanza esos centímetros y se para; va hacia atrás si el número es negativo. Ejemplo: avanzar 50 cm.",
-    turn: "girar",
-    degrees: "grados",
-    degreesUnit: "°",
-    turns:
-      "Gira sin moverse del sitio, a la izquierda; a la derecha si el número es negativo. Ejemplo: girar 90 grados es un cuarto de vuelta a la izquierda.",
-    driveUntilABump: "avanzar hasta chocar",
-    drivesUntilABump:
-      "Avanza hasta que se pulsa el parachoques y se para. Su resultado es el lado del parachoques. Ejemplo: avanzar hasta chocar, después girar 180 grados.",
-    driveUntil: "avanzar hasta que",
-    functionThatGivesDone: "función que da Done",
-    drivesUntil:
-      "Avanza hasta que la función da Done y se para. Ejemplo: avanzar hasta que se pulse un botón.",
-    blink: "parpadear",
-    colour: "color",
-    blinks: "Medio segundo con luz, medio segundo sin ella. Ejemplo: parpadear Red.",
-    beep: "pitar",
-    beeps: "Un sonido corto. Ejemplo: avanzar hasta chocar, después pitar.",
-    penDown: "bajar el lápiz",
-    pensDown:
-      "Baja el lápiz: desde aquí el robot dibuja por donde va, en el simulador. Ejemplo: bajar el lápiz, después avanzar 50 cm.",
-    penUp: "subir el lápiz",
-    pensUp: "Sube el lápiz: el robot sigue sin dibujar. Ejemplo: subir el lápiz, después avanzar 20 cm.",
-    penColor: "dibujar con",
-    pensColor: "Dibuja con este color desde aquí. Ejemplo: dibujar con RedInk.",
-    penWidth: "ancho del lápiz",
-    pensWidth:
-      "Dibuja con este ancho en centímetros desde aquí, 50 como máximo. Ejemplo: ancho del lápiz 5 cm.",
   },
   values: {
     number: "número",

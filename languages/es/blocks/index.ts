@@ -5,7 +5,8 @@ import {blocks} from "./blocks.ts"
 import {commandLine} from "./command_line.ts"
 import {reasons} from "./reasons.ts"
 import {sentences} from "./sentences.ts"
+import {tasks} from "./tasks.ts"
 import {toolbox} from "./toolbox.ts"
 import {vocabulary} from "./vocabulary.ts"
 
-export const table: Words = {...blocks, ...vocabulary, ...sentences, toolbox, reasons, commandLine}
+export const table: Words = {...blocks, ...vocabulary, ...sentences, tasks, toolbox, reasons, commandLine}

@@ -17,6 +17,7 @@ export const page: Omit<
   | "diagram"
   | "film"
   | "graph"
+  | "replies"
   | "roomTests"
   | "preview"
   | "runs"
@@ -345,22 +346,6 @@ export const page: Omit<
     off: "Las reglas de seguridad están desactivadas: solo conduce tu programa, aquí y en robots de verdad",
     overrides: "Reglas de seguridad: retrocediendo…",
     tookOver: "Las reglas de seguridad toman el control: retrocediendo",
-  },
-  replies: {
-    answered: "respondió:",
-    Feedback: "aún en ello",
-    Succeeded: "terminado",
-    Rejected: "rechazado",
-    Aborted: "abandonado",
-    Cancelled: "detenido",
-    Unavailable: "aquí nadie sabe hacerlo",
-    succeeded: {dock: "en la base", navigateTo: "ha llegado"},
-    reasons: {
-      "no dock is in sight": "no se ve ninguna base",
-      "something is in the way": "algo está en el camino",
-      "it took too long": "tardó demasiado",
-      "no way leads there": "ningún camino lleva allí",
-    },
   },
   blocked: {
     pushes: "El robot empuja contra algo y no puede seguir.",

@@ -12,7 +12,6 @@ export const blocks: Pick<
   | "raw"
   | "answers"
   | "priority"
-  | "tasks"
   | "values"
   | "operators"
 > = {
@@ -298,125 +297,6 @@ export const blocks: Pick<
     theFirstKeepsTheRobot:
       "Duas funções comandam o mesmo: a primeira fica com o robô esse tempo após o seu último comando. Exemplo: primeiro recuar por 1 s, senão avançar.",
     firstForSecondsOtherwise: "primeiro um, por alguns segundos, senão o outro",
-  },
-  tasks: {
-    driveBack: "recue por",
-    drivesBack: "Recua alguns segundos e depois para. Exemplo: recue por 1 s.",
-    turnBetween: "gire ao acaso entre",
-    upTo: "e",
-    leastDegrees: "menor ângulo em graus",
-    mostDegrees: "maior ângulo em graus",
-    turnsBetween: "Gira um ângulo ao acaso; à esquerda é positivo. Exemplo: gire ao acaso entre -90 e 90.",
-    goTo: "vá a",
-    metresAhead: "m à frente,",
-    metresLeft: "m à esquerda",
-    goesTo:
-      "Gira para um lugar, vai reto até ele e para. Mede-se de onde o programa começou; um número negativo é atrás ou à direita. Exemplo: vá a 1 m à frente, 0,5 m à esquerda.",
-    dock: "entre na base",
-    docks:
-      "Entra na base de carga, se o robô a vê, e para. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ande até bater, depois entre na base.",
-    undock: "saia da base",
-    undocks:
-      "Sai da base de carga: volta 30 cm, ou como o próprio robô faz. Exemplo: saia da base, depois ande 50 centímetros.",
-    navigateTo: "ache um caminho até",
-    facing: "virado a",
-    navigates:
-      "Vai até um lugar contornando o que está no caminho e gira como pedido: 0 é como no início, 90 à esquerda. Mede-se de onde o programa começou. Dê um nome ao resultado para saber se deu certo: Succeeded (), Aborted, Unavailable. Exemplo: ache um caminho até 2 m à frente, 1 m à esquerda.",
-    curve: "ande e gire",
-    untilAnObstacle: "graus por segundo até uma batida ou uma beira",
-    degreesASecond: "graus por segundo",
-    curves:
-      "Anda em curva até um para-choque ser pressionado ou haver uma beira, e para; esquerda é positivo, 0 é reto. Exemplo: ande e gire -20 graus por segundo.",
-    either: "ou",
-    or: "ou",
-    oneStep: "uma tarefa",
-    otherStep: "a outra tarefa",
-    eitherByChance: "Faz uma das duas, ao acaso. Exemplo: ou gire 90 ou gire -90.",
-    thereIsNoStepHereYet: "Ainda não há um passo aqui.",
-    putAtLeastOneStepInto: "Ponha pelo menos um passo na pilha.",
-    theLastStepMustDoSomething: "O último passo tem que fazer alguma coisa.",
-    afterNamingAValueAddAStep: "Depois de dar nome a um valor, acrescente um passo que o use.",
-    doTheseSteps: "faça estes passos",
-    stepsOneAfterTheOther: "passos, um depois do outro",
-    doesItsStepsOneAfterTheOther:
-      "Faz os seus passos um depois do outro. Exemplo: espere 1, depois diga “done”.",
-    stepsOneAfterTheOther2: "passos um depois do outro",
-    do: "faça",
-    whatToDo: "o que fazer",
-    lookInside: (name: string) => `olhar dentro de ${name}`,
-    andCallItsResult: "e chame o resultado de",
-    nameOfTheResult: "nome do resultado",
-    doesSomethingAndNamesWhatComesOut:
-      "Faz algo e dá um nome ao resultado, para os passos abaixo. Exemplo: faça measure e chame o resultado de d.",
-    doAndNameTheResult: "fazer e dar nome ao resultado",
-    let: "seja",
-    definitionsForTheStepsBelow: "definições para os passos abaixo",
-    definesNamesForTheStepsBelow: "Define nomes para os passos abaixo. Exemplo: seja speed igual a 0.5.",
-    letForTheStepsBelow: "seja, para os passos abaixo",
-    if: "se",
-    condition: "condição",
-    stepsIfSo: "passos se sim",
-    else: "senão",
-    stepsIfNot: "passos se não",
-    doesOneOrTheOther: "Faz uma coisa ou a outra. Exemplo: se d > 1 faça diga “far” senão diga “near”.",
-    ifDoElse: "se, faça, senão",
-    task: "tarefa",
-    doesSomethingThenGoesOnBelow: "Faz algo e depois continua abaixo. Exemplo: faça move (Forward 50).",
-    repeat: "repita",
-    howManyTimes: "quantas vezes",
-    number: "número",
-    times: "×",
-    stepsToRepeat: "passos para repetir",
-    doesItsStepsANumberOfTimes: "Faz os seus passos algumas vezes. Exemplo: repita 4 vezes.",
-    forever: "para sempre",
-    stepsToRepeatForEver: "passos para repetir sempre",
-    doesItsStepsAgainAndAgain:
-      "Faz os seus passos de novo e de novo. Exemplo: para sempre, diga “tick” e espere 1.",
-    onlyIf: "só se",
-    stepsIfTheConditionHolds: "passos se a condição vale",
-    doesItsStepsIfTheConditionHolds:
-      "Faz os seus passos se a condição vale; senão, não faz nada. Exemplo: só se d > 1, diga “far”.",
-    unless: "a menos que",
-    stepsIfTheConditionDoesNotHold: "passos se a condição não vale",
-    doesItsStepsIfTheConditionDoes:
-      "Faz os seus passos se a condição não vale. Exemplo: a menos que d > 1, diga “near”.",
-    say: "diga",
-    text: "texto",
-    theRobotSaysSomething: "O robô diz alguma coisa. Exemplo: diga “done”.",
-    wait: "espere",
-    seconds: "segundos",
-    waits: "Espera. Exemplo: espere 2 segundos.",
-    drive: "ande",
-    centimetres: "centímetros",
-    drives:
-      "Anda tantos centímetros para a frente e fica parado; para trás, se o número for negativo. Exemplo: ande 50 cm.",
-    turn: "gire",
-    degrees: "graus",
-    degreesUnit: "°",
-    turns:
-      "Gira no lugar, para a esquerda; para a direita, se o número for negativo. Exemplo: gire 90 graus é um quarto de volta para a esquerda.",
-    driveUntilABump: "ande até bater",
-    drivesUntilABump:
-      "Anda para a frente até o para-choque ser pressionado, e fica parado. O resultado é o lado do para-choque. Exemplo: ande até bater, depois gire 180 graus.",
-    driveUntil: "ande até",
-    functionThatGivesDone: "função que dá Done",
-    drivesUntil:
-      "Anda para a frente até a função dar Done, e fica parado. Exemplo: ande até um botão ser pressionado.",
-    blink: "pisque",
-    colour: "cor",
-    blinks: "Meio segundo de luz, meio segundo sem luz. Exemplo: pisque Red.",
-    beep: "apite",
-    beeps: "Um som curto. Exemplo: ande até bater, depois apite.",
-    penDown: "abaixe a caneta",
-    pensDown:
-      "Abaixa a caneta: daqui em diante o robô desenha por onde anda, no simulador. Exemplo: abaixe a caneta, depois ande 50 cm.",
-    penUp: "levante a caneta",
-    pensUp: "Levanta a caneta: o robô continua sem desenhar. Exemplo: levante a caneta, depois ande 20 cm.",
-    penColor: "desenhe com",
-    pensColor: "Desenha nesta cor daqui em diante. Exemplo: desenhe com RedInk.",
-    penWidth: "largura da caneta",
-    pensWidth:
-      "Desenha com esta largura em centímetros daqui em diante, no máximo 50. Exemplo: largura da caneta 5 cm.",
   },
   values: {
     number: "número",

@@ -17,6 +17,7 @@ import {lessons} from "./lessons.ts"
 import {page} from "./page.ts"
 import {preview} from "./preview.ts"
 import {recordings} from "./recordings.ts"
+import {replies} from "./replies.ts"
 import {roomTests} from "./room_tests.ts"
 import {world} from "./rooms.ts"
 import {runs} from "./runs.ts"
@@ -38,6 +39,7 @@ export const table: Table = {
     diagram,
     film,
     graph,
+    replies,
     roomTests,
     preview,
     recordings,

@@ -17,6 +17,7 @@ export const page: Omit<
   | "diagram"
   | "film"
   | "graph"
+  | "replies"
   | "roomTests"
   | "preview"
   | "runs"
@@ -337,22 +338,6 @@ export const page: Omit<
     off: "As regras de segurança estão desligadas: só o seu programa dirige, aqui e em robôs de verdade",
     overrides: "Regras de segurança: recuando…",
     tookOver: "As regras de segurança assumem: recuando",
-  },
-  replies: {
-    answered: "respondeu:",
-    Feedback: "ainda em andamento",
-    Succeeded: "pronto",
-    Rejected: "recusado",
-    Aborted: "desistiu",
-    Cancelled: "parado",
-    Unavailable: "ninguém aqui sabe fazer isso",
-    succeeded: {dock: "na base", navigateTo: "chegou"},
-    reasons: {
-      "no dock is in sight": "nenhuma base à vista",
-      "something is in the way": "há algo no caminho",
-      "it took too long": "demorou demais",
-      "no way leads there": "nenhum caminho leva até lá",
-    },
   },
   blocked: {
     pushes: "O robô está empurrando alguma coisa e não consegue seguir.",

@@ -60,8 +60,9 @@ import Rosy.Core (Effect (Act), Effects (Then), channelInterest, pattern Plain)
 import qualified Rosy.Core as Core
 import Rosy.Geometry
 import Rosy.Motion (drive, turn)
+import Rosy.Outcome
 import Rosy.Problem (Fault (Unreadable))
-import Rosy.Request (Ending (..), Request (..), callPrefix, replyChannel, replyEnding, requestFrame, shownReply, pattern ReplyMessage, pattern RequestAction)
+import Rosy.Request (Request (..), callPrefix, replyChannel, replyEnding, requestFrame, shownReply, pattern ReplyMessage, pattern RequestAction)
 import Rosy.Robot (Velocity (..))
 import Rosy.Sense (event)
 import Rosy.Sensor
@@ -97,28 +98,6 @@ class Service request response | request -> response where
   -- | Who answers it.
   service :: ServiceServer request response
 
--- | How an action or a call of a service ended.
-data Outcome a
-  = -- | The goal was reached, or the service has answered.
-    Succeeded a
-  | -- | The server did not accept it, for this reason.
-    Rejected String
-  | -- | The server gave it up, for this reason.
-    Aborted String
-  | -- | The server was asked to stop by another program.
-    Cancelled
-  | -- | There is no such server, or it cannot be reached, for this reason.
-    Unavailable String
-  deriving (Eq, Ord, Show, Read, Generic)
-
-instance Rosy.Value a => Rosy.Value (Outcome a)
-
-instance Rosy.Value a => Rosy.Default (Outcome a)
-
-instance Rosy.Value a => Sensor (Outcome a)
-
-instance Rosy.Value a => Command (Outcome a)
-
 -- ---------------------------------------------------------------------------------------------
 -- Calls
 
@@ -137,7 +116,7 @@ pursue (ActionServer name kind content feedback result) goal =
       | not (reply `answers` ident) = (Nothing, Nothing)
       | otherwise = case ending reply of
         Nothing -> (Just (Feedback (readContent name feedback (replyValues reply))), Nothing)
-        Just ended -> (Nothing, Just (Done (outcomeOf name result (replyValues reply) ended)))
+        Just ended -> (Nothing, Just (Done (readContent name result (replyValues reply) <$ ended)))
 
 -- | The task that calls a service, and ends with the outcome.
 callService :: forall request response. (Service request response, Rosy.Value response) => request -> Task (Outcome response)
@@ -146,7 +125,7 @@ callService request = taskNamed (Name "callService") (Name "callService") begin 
     ServiceServer name kind content response = service :: ServiceServer request response
     begin = sending (\ident -> CallService ident name kind (contentValue (record (content request))))
     hear reply (Memory ident)
-      | reply `answers` ident = Done . outcomeOf name response (replyValues reply) <$> ending reply
+      | reply `answers` ident = Done . (readContent name response (replyValues reply) <$) <$> ending reply
       | otherwise = Nothing
 
 -- | The identifier of a call.
@@ -173,7 +152,7 @@ sending request gen = (Sending (request ident), Memory (CallId ident))
     ident = callPrefix <> Text.pack (show (fst (randomR (0, 2 ^ (53 :: Int)) gen) :: Int))
 
 -- | What a server says of a request: its frame, whose request it is, the message in it, and how the call ended if it did.
-data Reply = Reply {replyFrame :: Value, replyId :: Text, replyValues :: Value, ending :: Maybe Ending}
+data Reply = Reply {replyFrame :: Value, replyId :: Text, replyValues :: Value, ending :: Maybe (Outcome ())}
 
 instance Rosy.Value Reply where
   display _ reply = showString (shownReply (replyFrame reply))
@@ -190,15 +169,6 @@ instance Sensor Reply where
 
 answers :: Reply -> CallId -> Bool
 answers reply (CallId ident) = replyId reply == ident
-
--- | What a program is told of an ending.
-outcomeOf :: Text -> Fields a -> Value -> Ending -> Outcome a
-outcomeOf name fields content ended = case ended of
-  WasDone -> Succeeded (readContent name fields content)
-  WasRejected why -> Rejected (Text.unpack why)
-  WasAborted why -> Aborted (Text.unpack why)
-  WasCancelled -> Cancelled
-  NotReached why -> Unavailable (Text.unpack why)
 
 readContent :: Text -> Fields a -> Value -> a
 readContent name fields = either (throw . Unreadable (Text.unpack name)) id . readFields fields

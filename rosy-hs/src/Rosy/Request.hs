@@ -21,7 +21,6 @@ module Rosy.Request
     requestFrame,
     isReply,
     shownReply,
-    Ending (..),
     replyEnding,
     callPrefix,
     failedReply,
@@ -39,6 +38,7 @@ import Data.Text (Text)
 import qualified Data.Text as Text
 import Rosy.Channel (Action (..), Channel (..), Field (Structure), Kind (..), Message (..))
 import Rosy.Core (replyChannelNumber)
+import Rosy.Outcome
 
 -- | What programs send, and what they receive.
 requestChannel, replyChannel :: Channel
@@ -65,32 +65,23 @@ shownReply frame = unwords (["Reply"] ++ names ++ [answer] ++ [why | why <- [rea
       _ -> []
     (answer, reason) = case replyEnding frame of
       Nothing -> ("Feedback", "")
-      Just WasDone -> ("Succeeded", "")
-      Just (WasRejected why) -> ("Rejected", Text.unpack why)
-      Just (WasAborted why) -> ("Aborted", Text.unpack why)
-      Just WasCancelled -> ("Cancelled", "")
-      Just (NotReached why) -> ("Unavailable", Text.unpack why)
-
--- | How a call ended, with the server's reason.
-data Ending
-  = WasDone
-  | WasRejected Text
-  | WasAborted Text
-  | WasCancelled
-  | NotReached Text
-  deriving (Eq, Show)
+      Just (Succeeded ()) -> ("Succeeded", "")
+      Just (Rejected why) -> ("Rejected", why)
+      Just (Aborted why) -> ("Aborted", why)
+      Just Cancelled -> ("Cancelled", "")
+      Just (Unavailable why) -> ("Unavailable", why)
 
 -- | How a call ended, by its last reply; none for feedback. The status is that of ROS 2 (action_msgs\/msg\/GoalStatus): 5 cancelled, 6 aborted;
 -- rosbridge_suite says in words why a goal was not pursued (@rosbridge_library\/internal\/actions.py@).
-replyEnding :: Value -> Maybe Ending
+replyEnding :: Value -> Maybe (Outcome ())
 replyEnding frame = case frame of
   Object o
     | is "op" "action_feedback" o -> Nothing
-    | Just (Bool False) <- KeyMap.lookup "result" o -> Just ((if "rejected" `Text.isInfixOf` why o then WasRejected else NotReached) (why o))
+    | Just (Bool False) <- KeyMap.lookup "result" o -> Just ((if "rejected" `Text.isInfixOf` why o then Rejected else Unavailable) (Text.unpack (why o)))
     | otherwise -> Just $ case KeyMap.lookup "status" o >>= parseMaybe parseJSON of
-      Just (5 :: Int) -> WasCancelled
-      Just 6 -> WasAborted (reason o)
-      _ -> WasDone
+      Just (5 :: Int) -> Cancelled
+      Just 6 -> Aborted (Text.unpack (reason o))
+      _ -> Succeeded ()
   _ -> Nothing
   where
     is key value o = KeyMap.lookup key o == Just (String value)

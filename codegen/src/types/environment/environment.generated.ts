@@ -846,6 +846,7 @@ export const generated = [
  "instance Functor Fields",
  "instance Functor IO",
  "instance Functor Maybe",
+ "instance Functor Outcome",
  "instance Functor Task",
  "instance Functor []",
  "instance Integral Int",

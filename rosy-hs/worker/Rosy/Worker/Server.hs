@@ -186,5 +186,5 @@ reapChildren s = do
     Just (pid, how) -> do
       -- Output written before the exit may still be unread.
       s' <- maybe (pure s) (\fd -> receiveFromRun fd pid s) (answers =<< Map.lookup pid (jobs s))
-      (answers, after) <- removeExited pid how (pool s')
-      foldM (flip report) s' {pool = after} answers >>= finishRun pid how >>= reapChildren
+      (results, after) <- removeExited pid how (pool s')
+      foldM (flip report) s' {pool = after} results >>= finishRun pid how >>= reapChildren

@@ -1,6 +1,6 @@
 -- |
 -- Module      : Rosy.Robots.Translations
--- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages.
+-- Description : Tables of sentences in other languages, made by scripts/robot_sentences.py from languages/*/sentences.json.
 module Rosy.Robots.Translations
   ( tables,
   )

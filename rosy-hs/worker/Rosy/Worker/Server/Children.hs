@@ -70,8 +70,8 @@ dispatchQuestions config session s
 serveChecker :: State -> (Int, (Bool, Bool)) -> IO State
 serveChecker s (pid, (canRead, canWrite)) = do
   flushed <- if canWrite then flushQuestion pid (pool s) else pure (pool s)
-  (answers, after) <- if canRead then receiveAnswers pid flushed else pure ([], flushed)
-  foldM (flip report) s {pool = after} answers
+  (results, after) <- if canRead then receiveAnswers pid flushed else pure ([], flushed)
+  foldM (flip report) s {pool = after} results
 
 -- | Sends the result of a question to the service.
 report :: CheckResult -> State -> IO State

@@ -1,0 +1,125 @@
+/// Steps of tasks on blocks, in their tooltips and menus, in French.
+
+import type {Words} from "../../../codegen/src/words/index.ts"
+
+export const tasks: Words["tasks"] = {
+  driveBack: "reculer pendant",
+  drivesBack: "Recule quelques secondes, puis s’arrête. Exemple : reculer pendant 1 s.",
+  turnBetween: "tourner au hasard entre",
+  upTo: "et",
+  leastDegrees: "plus petit angle en degrés",
+  mostDegrees: "plus grand angle en degrés",
+  turnsBetween:
+    "Tourne d’un angle au hasard ; à gauche est positif. Exemple : tourner au hasard entre -90 et 90.",
+  goTo: "aller à",
+  metresAhead: "m devant,",
+  metresLeft: "m à gauche",
+  goesTo:
+    "Se tourne vers un endroit, y va tout droit et s’arrête. La mesure part de là où le programme a commencé ; un nombre négatif est derrière ou à droite. Exemple : aller à 1 m devant, 0,5 m à gauche.",
+  dock: "aller dans la station",
+  docks:
+    "Va dans la station de charge, si le robot la voit, et s’arrête. Donne un nom au résultat pour savoir si cela a marché : Succeeded (), Aborted, Unavailable. Exemple : avancer jusqu’au choc, puis aller dans la station.",
+  undock: "quitter la station",
+  undocks:
+    "Quitte la station de charge : recule de 30 cm, ou comme le robot le fait lui-même. Exemple : quitter la station, puis avancer de 50 centimètres.",
+  navigateTo: "trouver un chemin vers",
+  facing: "orienté à",
+  navigates:
+    "Va à un endroit en contournant ce qui gêne, puis se tourne comme demandé : 0 est comme au départ, 90 à gauche. La mesure part de là où le programme a commencé. Donne un nom au résultat pour savoir si cela a marché : Succeeded (), Aborted, Unavailable. Exemple : trouver un chemin vers 2 m devant, 1 m à gauche.",
+  curve: "avancer et tourner de",
+  untilAnObstacle: "degrés par seconde jusqu’à un choc ou un bord",
+  degreesASecond: "degrés par seconde",
+  curves:
+    "Avance en courbe jusqu’à ce qu’un pare-chocs soit enfoncé ou qu’il y ait un bord, puis s’arrête ; la gauche est positive, 0 est tout droit. Exemple : avancer et tourner de -20 degrés par seconde.",
+  either: "soit",
+  or: "soit",
+  oneStep: "une tâche",
+  otherStep: "l’autre tâche",
+  eitherByChance: "Fait l’une des deux, au hasard. Exemple : soit tourner 90, soit tourner -90.",
+  thereIsNoStepHereYet: "Il n’y a pas encore d’étape ici.",
+  putAtLeastOneStepInto: "Mets au moins une étape dans la pile.",
+  theLastStepMustDoSomething: "La dernière étape doit faire quelque chose.",
+  afterNamingAValueAddAStep: "Après avoir nommé une valeur, ajoute une étape qui l’utilise.",
+  doTheseSteps: "faire ces étapes",
+  stepsOneAfterTheOther: "étapes, l’une après l’autre",
+  doesItsStepsOneAfterTheOther:
+    "Fait ses étapes l’une après l’autre. Exemple : attendre 1, puis dire “done”.",
+  stepsOneAfterTheOther2: "étapes à la suite",
+  do: "faire",
+  whatToDo: "ce qu’il faut faire",
+  lookInside: (name: string) => `regarder dans ${name}`,
+  andCallItsResult: "et appeler son résultat",
+  nameOfTheResult: "nom du résultat",
+  doesSomethingAndNamesWhatComesOut:
+    "Fait quelque chose et donne un nom au résultat, pour les étapes en dessous. Exemple : faire measure et appeler son résultat d.",
+  doAndNameTheResult: "faire et nommer le résultat",
+  let: "soit",
+  definitionsForTheStepsBelow: "définitions pour les étapes en dessous",
+  definesNamesForTheStepsBelow: "Définit des noms pour les étapes en dessous. Exemple : soit speed est 0.5.",
+  letForTheStepsBelow: "soit, pour les étapes en dessous",
+  if: "si",
+  condition: "condition",
+  stepsIfSo: "étapes si oui",
+  else: "sinon",
+  stepsIfNot: "étapes si non",
+  doesOneOrTheOther: "Fait l’un ou l’autre. Exemple : si d > 1 faire dire “far” sinon dire “near”.",
+  ifDoElse: "si, faire, sinon",
+  task: "tâche",
+  doesSomethingThenGoesOnBelow:
+    "Fait quelque chose, puis continue en dessous. Exemple : faire move (Forward 50).",
+  repeat: "répéter",
+  howManyTimes: "combien de fois",
+  number: "nombre",
+  times: "fois",
+  stepsToRepeat: "étapes à répéter",
+  doesItsStepsANumberOfTimes: "Fait ses étapes plusieurs fois. Exemple : répéter 4 fois.",
+  forever: "répéter sans fin",
+  stepsToRepeatForEver: "étapes à répéter sans fin",
+  doesItsStepsAgainAndAgain:
+    "Fait ses étapes encore et encore. Exemple : répéter sans fin dire “tick” et attendre 1.",
+  onlyIf: "seulement si",
+  stepsIfTheConditionHolds: "étapes si la condition est vraie",
+  doesItsStepsIfTheConditionHolds:
+    "Fait ses étapes si la condition est vraie, et sinon rien. Exemple : seulement si d > 1, dire “far”.",
+  unless: "sauf si",
+  stepsIfTheConditionDoesNotHold: "étapes si la condition est fausse",
+  doesItsStepsIfTheConditionDoes:
+    "Fait ses étapes si la condition est fausse. Exemple : sauf si d > 1, dire “near”.",
+  say: "dire",
+  text: "texte",
+  theRobotSaysSomething: "Le robot dit quelque chose. Exemple : dire “done”.",
+  wait: "attendre",
+  seconds: "secondes",
+  waits: "Attend. Exemple : attendre 2 secondes.",
+  drive: "avancer de",
+  centimetres: "centimètres",
+  drives:
+    "Avance de ce nombre de centimètres et s’arrête ; recule si le nombre est négatif. Exemple : avancer de 50 cm.",
+  turn: "tourner de",
+  degrees: "degrés",
+  degreesUnit: "°",
+  turns:
+    "Tourne sur place vers la gauche ; vers la droite si le nombre est négatif. Exemple : tourner de 90 degrés fait un quart de tour à gauche.",
+  driveUntilABump: "avancer jusqu’au choc",
+  drivesUntilABump:
+    "Avance jusqu’à ce qu’un pare-chocs soit enfoncé, et s’arrête. Son résultat est le côté du pare-chocs. Exemple : avancer jusqu’au choc, puis tourner de 180 degrés.",
+  driveUntil: "avancer jusqu’à",
+  functionThatGivesDone: "fonction qui donne Done",
+  drivesUntil:
+    "Avance jusqu’à ce que la fonction donne Done, et s’arrête. Exemple : avancer jusqu’à ce qu’un bouton soit enfoncé.",
+  blink: "clignoter",
+  colour: "couleur",
+  blinks: "Une demi-seconde de lumière, une demi-seconde sans. Exemple : clignoter Red.",
+  beep: "biper",
+  beeps: "Un son court. Exemple : avancer jusqu’au choc, puis biper.",
+  penDown: "baisser le stylo",
+  pensDown:
+    "Baisse le stylo : à partir d’ici, le robot dessine son chemin, dans le simulateur. Exemple : baisser le stylo, puis avancer de 50 cm.",
+  penUp: "lever le stylo",
+  pensUp: "Lève le stylo : le robot continue sans dessiner. Exemple : lever le stylo, puis avancer de 20 cm.",
+  penColor: "dessiner avec",
+  pensColor: "Dessine dans cette couleur à partir d’ici. Exemple : dessiner avec RedInk.",
+  penWidth: "largeur du stylo",
+  pensWidth:
+    "Dessine avec cette largeur en centimètres à partir d’ici, 50 au plus. Exemple : largeur du stylo 5 cm.",
+}
