@@ -27,18 +27,10 @@ export function definitionEdit(reader: Reader, view: View, name: string | null, 
   const piece = view.module.pieces[shown?.piece ?? -1]
   if (name !== null && piece === undefined)
     return {ok: false, refusal: {kind: "no-such-function", function: name}}
-  const whole = view.text
-  const start = piece === undefined ? whole.length : (piece.remark ?? piece.core).start
-  const [before, after] = [
-    whole.slice(0, start),
-    whole.slice(name === null ? start : (piece?.core.end ?? start)),
-  ]
-  const changed =
-    name !== null && written !== ""
-      ? before + written + after
-      : written === ""
-        ? before + after.replace(/^\s*\n/, "")
-        : separated(before) + written + (after === "" ? "\n" : `\n\n${after}`)
+  const start = piece === undefined ? view.text.length : (piece.remark ?? piece.core).start
+  const end = name === null ? start : (piece?.core.end ?? start)
+  const [before, after] = [view.text.slice(0, start), view.text.slice(end)]
+  const changed = joined(before, written, after, name === null)
   const next = syncText(reader, view, changed)
   const wasBroken = view.module.pieces.filter(({broken}) => broken).length
   if (next.module.pieces.filter(({broken}) => broken).length > wasBroken)
@@ -46,6 +38,13 @@ export function definitionEdit(reader: Reader, view: View, name: string | null, 
   const known = new Set(view.declarations.map(one => one.name))
   const selects = next.declarations.find(one => !known.has(one.name))?.name ?? name ?? undefined
   return {ok: true, text: changed, selects}
+}
+
+/// A program with a text between its parts. A new definition stands apart, and nothing remains of one that is deleted.
+function joined(before: string, written: string, after: string, isNew: boolean): string {
+  if (written === "") return before + after.replace(/^\s*\n/, "")
+  if (!isNew) return before + written + after
+  return separated(before) + written + (after === "" ? "\n" : `\n\n${after}`)
 }
 
 /// A text with an empty line at its end, so that a definition can follow.
