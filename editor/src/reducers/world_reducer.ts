@@ -51,7 +51,8 @@ export function reduceWorldEvent(state: PageState, event: WorldEvent): Transitio
       const others = state.companions.filter((_, i) => i !== event.companion)
       if (world === null || run !== null) return still(state)
       const isTaken = !isFreePlace(world, event.place, others)
-      const notice = noticed(state.notice, isTaken, words.companions.taken)
+      // A notice moves the room below the hand that drags.
+      const notice = event.isDropped ? noticed(state.notice, isTaken, words.companions.taken) : state.notice
       if (isTaken) return still({...state, notice})
       const companions = state.companions.map((one, i) =>
         i === event.companion ? {...one, ...event.place} : one,

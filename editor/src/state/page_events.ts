@@ -149,8 +149,13 @@ export type WorldEvent =
   | {readonly kind: "companions-chosen"; readonly companions: readonly Companion[]}
   /// The programs of some of them are stored anew; a run goes on.
   | {readonly kind: "companions-stored"; readonly companions: readonly Companion[]}
-  /// A hand puts one of them in another place before a run; it stays where it was, which is said, where it has no room.
-  | {readonly kind: "companion-placed"; readonly companion: number; readonly place: Pose}
+  /// A hand takes one of them to another place before a run; where it has no room it stays where it was, which is said when it is dropped there.
+  | {
+      readonly kind: "companion-placed"
+      readonly companion: number
+      readonly place: Pose
+      readonly isDropped: boolean
+    }
   | {readonly kind: "world-editor-opened"}
   | {readonly kind: "world-edited"; readonly edit: WorldEdit}
   /// The edited room becomes the room of the page, or is discarded.

@@ -24,7 +24,7 @@ let looked: (readonly [x: number, y: number])[]
 let reaches: number[]
 let placed: Pose[]
 let companions: readonly Pose[]
-let moved: (readonly [companion: number, pose: Pose])[]
+let moved: (readonly [companion: number, pose: Pose, isDropped: boolean])[]
 let able: boolean
 
 beforeEach(() => {
@@ -44,7 +44,7 @@ beforeEach(() => {
     robot: () => ({x: 1, y: 1, theta: 0}),
     things: () => [],
     companions: () => companions,
-    companionPlaced: (companion, pose) => moved.push([companion, pose]),
+    companionPlaced: (companion, pose, isDropped) => moved.push([companion, pose, isDropped]),
     held: () => held,
     able: () => able,
     placed: pose => placed.push(pose),
@@ -142,6 +142,8 @@ describe("another robot before a run", () => {
     expect(moved[0]?.[1].y).toBeCloseTo(2)
     pointer("wheel", 405, 200, {deltaY: 1})
     expect(moved[1]?.[1].theta).toBeCloseTo(Math.PI / 12)
+    pointer("pointerup", 405, 200)
+    expect(moved.map(([, , isDropped]) => isDropped)).toEqual([false, false, true])
     expect(placed).toEqual([])
   })
 })

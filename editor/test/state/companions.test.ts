@@ -121,12 +121,16 @@ describe("a run with other robots", () => {
 })
 
 describe("a robot that is dragged", () => {
-  const placed = (x: number, y: number) =>
-    ({kind: "companion-placed", companion: 0, place: {x, y, theta: 0}}) as const
+  const placed = (x: number, y: number, isDropped = true) =>
+    ({kind: "companion-placed", companion: 0, place: {x, y, theta: 0}, isDropped}) as const
 
   it("goes to free floor, and stays where it was elsewhere and during a run", () => {
     const moved = play(open, chosen(companion, other), placed(1.5, 3)).state
     expect(moved.companions[0]).toMatchObject({x: 1.5, y: 3, program: null})
+    expect(play(moved, placed(2.9, 3, false)).state).toMatchObject({
+      notice: null,
+      companions: moved.companions,
+    })
     const taken = play(moved, placed(2.9, 3)).state
     expect(taken.companions[0]?.x).toBe(1.5)
     expect(taken.notice).toMatchObject({kind: "refusal", message: words.companions.taken})

@@ -164,7 +164,8 @@ export function mountRoom(canvas: HTMLCanvasElement, {store, parts}: MountContex
     placed: teleport => store.dispatch({kind: "hand", hand: {teleport}}),
     pushed: (thing, pose) => store.dispatch({kind: "hand", hand: {move: {thing, ...pose}}}),
     holds: thing => store.dispatch({kind: "held", thing}),
-    companionPlaced: (companion, place) => store.dispatch({kind: "companion-placed", companion, place}),
+    companionPlaced: (companion, place, isDropped) =>
+      store.dispatch({kind: "companion-placed", companion, place, isDropped}),
     follows: follows => store.dispatch({kind: "follows", follows}),
     read: () => store.dispatch({kind: "why", event: {kind: "closed"}}),
     asked(about) {

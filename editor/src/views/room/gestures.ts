@@ -13,7 +13,8 @@ export interface GestureHost {
   things(): readonly MovableObject[]
   /// The other robots that a hand can take to another place: those before a run.
   companions(): readonly Pose[]
-  companionPlaced(companion: number, pose: Pose): void
+  /// `isDropped`: the hand lets it go there.
+  companionPlaced(companion: number, pose: Pose, isDropped: boolean): void
   /// The thing that the keyboard holds; `null` is the robot.
   held(): number | null
   /// Whether gestures move the robot and things: only while a program runs.
@@ -167,6 +168,7 @@ class PointerGestures {
 
   up(event: PointerEvent): void {
     const about = this.pressed?.about ?? null
+    if (this.grip?.kind === "companion" && this.pressed === null) this.drag(this.grip, this.at(event), true)
     this.cancel(event)
     if (about !== null) this.host.asked(about)
   }
@@ -241,7 +243,7 @@ class PointerGestures {
   }
 
   /// The hand went to a point of the canvas with what it holds.
-  private drag(grip: GestureTarget, p: Spot): void {
+  private drag(grip: GestureTarget, p: Spot, isDropped = false): void {
     const {host} = this
     const point = this.inRoom(p)
     if (grip.kind === "floor") host.panned(p.x - grip.x, p.y - grip.y)
@@ -252,7 +254,7 @@ class PointerGestures {
       host.placed({x: robot.x, y: robot.y, theta: bearing + grip.by})
     } else {
       const pose = {x: point.x + grip.dx, y: point.y + grip.dy, theta: grip.theta}
-      if (grip.kind === "companion") host.companionPlaced(grip.companion, pose)
+      if (grip.kind === "companion") host.companionPlaced(grip.companion, pose, isDropped)
       else if (grip.kind === "robot") host.placed(pose)
       else host.pushed(grip.thing, pose)
     }

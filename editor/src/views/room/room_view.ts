@@ -28,7 +28,7 @@ export interface RoomListener {
   pushed(thing: number, pose: Pose): void
   holds(thing: number | null): void
   /// The learner took another robot to this pose, before a run.
-  companionPlaced(companion: number, pose: Pose): void
+  companionPlaced(companion: number, pose: Pose, isDropped: boolean): void
   /// The picture is to go with the robot, or no longer: the learner moved it by hand, or asked for all of the room.
   follows(follows: boolean): void
   /// The learner asks why the robot moves, shines or speaks as it does, or why it was at a point of its trail.
@@ -74,7 +74,7 @@ export function openRoom(canvas: HTMLCanvasElement, listener: RoomListener): Roo
     able: () => picture.hands.able,
     placed: pose => listener.placed(viewport.inside(pose)),
     pushed: (thing, pose) => listener.pushed(thing, viewport.inside(pose)),
-    companionPlaced: (companion, pose) => listener.companionPlaced(companion, pose),
+    companionPlaced: (companion, pose, isDropped) => listener.companionPlaced(companion, pose, isDropped),
     holds(held) {
       // At once: the next key may come before the next picture.
       picture.hands = {...picture.hands, held}
