@@ -39,6 +39,7 @@ module Test.Worker.Client
 
     -- * Looking at processes
     childrenOf,
+    onlyChildOf,
     sparesOf,
     allChildrenOf,
     descriptorsOf,
@@ -244,6 +245,16 @@ closeLink (Link s _) = void (try (close s) :: IO (Either SomeException ()))
 -- | The processes that a worker has started for runs and not yet buried; those that only answer questions stay, and so does the one for the next plain run.
 childrenOf :: Int -> IO [Int]
 childrenOf = childrenNamed (`notElem` ["rosy-check\n", "rosy-spare\n"])
+
+-- | The only one of these. A child that was just forked for later has its name a moment later, and counts until then.
+onlyChildOf :: Int -> IO Int
+onlyChildOf pid = do
+  found <- newIORef []
+  eventually "one child is at work" $ do
+    children <- childrenOf pid
+    writeIORef found children
+    pure (length children == 1)
+  head <$> readIORef found
 
 -- | Those that wait for the next plain run.
 sparesOf :: Int -> IO [Int]

@@ -33,12 +33,12 @@ tests borrow =
           child <- waiting worker
           tell worker (begin "prepared" several runMemory)
           started <- hear worker
-          running <- childrenOf (processId worker)
+          running <- onlyChildOf (processId worker)
           said <- threeSteps robot
           closeLink robot
           gone <- hear worker
           text "op" gone @?= "gone"
-          ([child], started, said) <$ (running @?= [child])
+          ([child], started, said) <$ (running @?= child)
         (usual, saidUsually) <- withRun worker "usual" several runMemory $ \robot -> (,) <$> hear worker <*> threeSteps robot
         _ <- hear worker
         length child @?= 1
@@ -66,7 +66,7 @@ tests borrow =
               robot <- runPlainly worker name source runMemory
               started <- hear worker
               text "op" started @?= "started"
-              at <- childrenOf (processId worker)
+              at <- onlyChildOf (processId worker)
               said <- threeSteps robot
               closeLink robot
               hear worker >>= (@?= "gone") . text "op"
@@ -80,7 +80,7 @@ tests borrow =
           -- Its channel, and what it puts in the place of 0, 1 and 2.
           mapM descriptorsOf waits >>= (@?= [5])
           (at, said) <- plainly (toJSON name) several
-          at @?= waits
+          [at] @?= waits
           said @?= first
           pure waits
         assertBool "another process for each" (sort (concat runs) == nub (sort (concat runs)))

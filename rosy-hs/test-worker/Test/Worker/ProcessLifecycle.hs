@@ -139,9 +139,8 @@ tests borrow =
           children <- allChildrenOf (processId worker)
           assertBool "a checker and a run" (length children >= 2)
           forM_ children $ \child -> forM_ ["CapInh", "CapPrm", "CapEff", "CapAmb"] $ \set -> do
-            held <- threadStatus set child
-            assertBool set (not (null held))
-            (set, filter (any (/= '0')) held) @?= (set, [])
+            -- One that was just forked gives its capabilities up a moment later.
+            eventually set ((\held -> not (null held) && all (all (== '0')) held) <$> threadStatus set child)
           _ <- ask worker (kill "capabilities")
           pure (),
       testCase "Safe Haskell alone refuses what is unsafe" $
@@ -201,7 +200,7 @@ tests borrow =
           two <- forked worker "two"
           withRun one "running" idle (64 * megabytes) $ \_ -> do
             _ <- hear one
-            [program] <- childrenOf (processId one)
+            program <- onlyChildOf (processId one)
             closeWorker one
             gone <- hear worker
             (text "op" gone, text "id" gone) @?= ("gone", "one")
