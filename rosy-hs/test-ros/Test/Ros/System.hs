@@ -184,6 +184,8 @@ twoThousand :: Ros -> IO ()
 twoThousand ros = withPeer ros "peer" $ \peer -> do
   say peer "sub /up std_msgs/Int32 quiet"
   say peer "pub /down std_msgs/Int32"
+  -- rospy connects a subscriber before it has its handler, and loses what comes in between.
+  _ <- hears peer "publishing /down"
   node ros "us" $ do
     down <- subscribeBuffered 2000 "/down"
     up <- publisherWith publisherOptions {queueSize = 2000} "/up"
@@ -458,6 +460,7 @@ handlerFails ros = do
 saysGoodbye :: Ros -> IO ()
 saysGoodbye ros = withPeer ros "mobile_base" $ \base -> do
   say base "sub /mobile_base/commands/velocity geometry_msgs/Twist"
+  _ <- hears base "subscribed"
   node ros "us" $ do
     p <- publisher "/mobile_base/commands/velocity"
     awaitSubscribers p 1
