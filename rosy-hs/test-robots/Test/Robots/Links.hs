@@ -19,7 +19,7 @@ import Test.Tasty
 import Test.Tasty.HUnit
 
 tests :: Ready -> TestTree
-tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) printed $ \times ->
+tests ready = localOption (mkTimeout 900000000) . withResource (newIORef []) printed $ \times ->
   testGroup "links" $
     [ testGroup name [story ready rig title (act times) | (title, act) <- stories]
       | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("a Create 3", ros2Robot "create3" [] ""), ("ROS 1", rospy), ("serial", serial)]

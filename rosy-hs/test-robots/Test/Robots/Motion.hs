@@ -43,7 +43,7 @@ import Test.Tasty.HUnit
 
 tests :: Ready -> TestTree
 tests ready =
-  localOption (mkTimeout 300000000) $
+  localOption (mkTimeout 900000000) $
     testGroup
       "the same programs move the base in the same way"
       [ testCase "the pipe" (table >>= mapM_ overPipe),

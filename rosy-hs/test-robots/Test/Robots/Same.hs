@@ -81,7 +81,7 @@ import Test.Tasty.HUnit
 
 tests :: Ready -> TestTree
 tests ready =
-  localOption (mkTimeout 300000000) $
+  localOption (mkTimeout 900000000) $
     testGroup
       "the same stream gives the same commands"
       [ testCase "the stream has something for every program, and they answer it differently" differ,

@@ -21,7 +21,7 @@ tests = withResource compile (removeDirectoryRecursive . folder) $ \compiled ->
   testGroup
     "roshask's own examples"
     [ testCaseInfo "compile unchanged" (report <$> compiled),
-      localOption (mkTimeout 300000000) . testCaseInfo "run among rospy nodes" $ do
+      localOption (mkTimeout 900000000) . testCaseInfo "run among rospy nodes" $ do
         examples <- compiled
         ready <- withRos (folder examples)
         case ready of

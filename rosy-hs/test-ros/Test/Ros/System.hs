@@ -53,7 +53,7 @@ import Test.Tasty.HUnit
 
 tests :: TestTree
 tests = withResource acquire release $ \ready ->
-  localOption (mkTimeout 300000000) . testGroup "among real nodes" $
+  localOption (mkTimeout 900000000) . testGroup "among real nodes" $
     [ story ready "it drives a base: bumpers to LEDs, odometry to velocity" drivesABase,
       story ready "roscpp listens to it and talks to it" withRoscpp,
       story ready "when it ends, its last message arrives and the master forgets it" saysGoodbye,
