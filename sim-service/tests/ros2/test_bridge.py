@@ -122,10 +122,10 @@ class Robot:
                 if self._client is client:
                     await self.connect()
 
-    async def is_pressed(self) -> None:
-        """Presses its bumper ten times a second: a press before the base knows of the subscription is lost."""
+    async def repeats(self, words: str) -> None:
+        """Asks the base ten times a second: what it says before it knows of a subscription is lost."""
         while True:
-            self.base.ask("bump 1")
+            self.base.ask(words)
             await asyncio.sleep(0.1)
 
     async def drives(self) -> asyncio.Task[None]:
@@ -182,8 +182,13 @@ def test_a_client_drives_a_base_in_the_type_and_quality_that_it_has(transport: s
             assert (await it.hears(op="service_response"))["values"] == {"type": kind}
             await it.send(op="subscribe", topic="/scan", type="sensor_msgs/msg/LaserScan")
             assert (await it.hears(op="publish", topic="/scan"))["msg"]["ranges"] == [float("inf")] * 360
-            await it.send(op="call_service", service="/motor_power", type="std_srvs/srv/SetBool", args={"data": True})
+            power = {"op": "call_service", "service": "/motor_power", "type": "std_srvs/srv/SetBool"}
+            await it.send(**power, args={"data": True})
             await it.base.says("called motor_power 1")
+            await it.send(**power, id="rosy-1", args={"data": True})
+            assert (await it.hears(op="service_response", id="rosy-1"))["values"] == {"success": True, "message": "on"}
+            await it.send(**power, id="rosy-2", args={"date": True})
+            assert "does not have a field date" in (await it.hears(op="service_response", id="rosy-2"))["values"]
             driving = await it.drives()
             while True:
                 odometry = (await it.hears(op="publish", topic="/odom"))["msg"]
@@ -207,14 +212,51 @@ def test_events_of_a_kobuki_arrive(transport: str) -> None:
             assert not (await it.hears(op="service_response"))["result"]
             # A program that waits for an answer is told at once that there will be none.
             await it.send(op="call_service", id="rosy-1", service="/add", type="my_msgs/srv/Add", args={})
-            answer = await it.hears(op="service_response")
-            assert (answer["id"], answer["result"], "rosbridge_suite" in answer["values"]) == ("rosy-1", False, True)
+            answer = await it.hears(op="service_response", id="rosy-1")
+            assert (answer["values"], answer["result"]) == ("no robot offers it", False)
             await it.send(op="send_action_goal", id="rosy-2", action="/dock", action_type="my_msgs/action/Dock")
-            answer = await it.hears(op="action_result")
-            assert (answer["id"], answer["result"], "rosbridge_suite" in answer["values"]) == ("rosy-2", False, True)
-            pressing = asyncio.create_task(it.is_pressed())
+            answer = await it.hears(op="action_result", id="rosy-2")
+            assert (answer["values"], answer["result"]) == ("no robot offers it", False)
+            pressing = asyncio.create_task(it.repeats("bump 1"))
             assert (await it.hears(op="publish", topic="/events/bumper"))["msg"] == {"bumper": 0, "state": 1}
             pressing.cancel()
+
+    asyncio.run(play())
+
+
+DOCK = {"action": "/auto_docking_action", "action_type": "kobuki_ros_interfaces/action/AutoDocking", "args": {}}
+
+
+@TRANSPORTS
+def test_an_action_says_how_its_goals_go_on_and_end(transport: str) -> None:
+    async def play() -> None:
+        async with robot(transport, "kobuki") as it:
+            await it.send(op="send_action_goal", id="first", **DOCK)
+            await it.base.says("goal accepted")
+            # Feedback before the base knows of the reader is lost.
+            near = asyncio.create_task(it.repeats("approach near"))
+            feedback = await it.hears(op="action_feedback", id="first")
+            assert feedback["values"] == {"state": "near", "text": "on its way"}
+            near.cancel()
+            it.base.ask("end 4 docked")
+            result = await it.hears(op="action_result", id="first")
+            assert (result["status"], result["values"], result["result"]) == (4, {"text": "docked"}, True)
+            # One that is given up says so itself, also when the client has not waited until it was accepted.
+            await it.send(op="send_action_goal", id="second", **DOCK)
+            await it.send(op="cancel_action_goal", id="second", action="/auto_docking_action")
+            await it.base.says("cancel asked")
+            result = await it.hears(op="action_result", id="second")
+            assert (result["status"], result["values"], result["result"]) == (5, {"text": "given up"}, True)
+            # The goal of a client that goes is given up.
+            await it.send(op="send_action_goal", id="third", **DOCK)
+            await it.base.says("goal accepted")
+            it.client.transport.abort()
+            await it.base.says("cancel asked")
+            await it.connect()
+            it.base.ask("rejects")
+            await it.send(op="send_action_goal", id="fourth", **DOCK)
+            result = await it.hears(op="action_result", id="fourth")
+            assert (result["values"], result["result"]) == ("Action goal was rejected", False)
 
     asyncio.run(play())
 
@@ -344,8 +386,8 @@ class LateReader:
     def flush(self) -> None:
         """Nothing waits."""
 
-    def request_writer(self, service: str, kind: str) -> LateReader:  # noqa: ARG002 no service is called
-        return self
+    def caller(self, service: str, kind: str) -> None:  # noqa: ARG002 no service is called
+        return None
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         raise NotImplementedError
