@@ -81,13 +81,14 @@ template <typename... Words> static void say(const char *format, Words... words)
 }
 
 struct Listener : DataReaderListener {
-  std::function<void(Bytes &)> act;
+  std::function<void(Bytes &)> act = [](Bytes &) {};
+  std::function<void(Bytes &, const SampleInfo &)> serve = [](Bytes &, const SampleInfo &) {};
   std::function<void(int)> matched = [](int) {};
   void on_data_available(DataReader *reader) override {
     Bytes bytes;
     SampleInfo info;
     while (reader->take_next_sample(&bytes, &info) == ReturnCode_t::RETCODE_OK)
-      if (info.valid_data) act(bytes);
+      if (info.valid_data) act(bytes), serve(bytes, info);
   }
   void on_subscription_matched(DataReader *, const SubscriptionMatchedStatus &status) override { matched(status.current_count); }
 };

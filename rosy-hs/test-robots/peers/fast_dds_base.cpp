@@ -8,9 +8,14 @@
  * velocity. On standard input `mark`, `bump 0|1`, `quit`. Out: on standard output `ready`, `seen N` for a change in the number of writers of its velocity, `got X Z AGE`
  * (m/s, rad/s, s since the message's stamp, -1 without one), `watchdog` when 0.6 s pass after a velocity that was not zero, after `mark` `marked`, as soon as it
  * drives, and then `stood SECONDS`, by its own clock; `called NAME VALUE`.
+ *
+ * A Kobuki has the action AutoDocking, by the article "Actions" of design.ros2.org, the definitions of action_msgs, and AutoDocking.action: on standard input
+ * `rejects` for the goals that come, `approach STATE` for feedback, `end STATUS TEXT`; out `goal accepted`, `goal rejected`, `cancel asked`. Its answers say whose
+ * they are in the way of DDS-RPC 1.0, 7.8.2, as rmw_fastrtps_cpp does.
  */
 #include "fast_dds.hpp"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -24,6 +29,70 @@ static double speed = 0, turn = 0;
 static Clock::time_point told;
 static bool moving = false, marking = false, counting = false;
 static Clock::time_point marked;
+
+/* A service whose answers may come later. It waits until somebody hears them, as rmw_fastrtps_cpp does for its own clients. */
+struct Service {
+  DataWriter *replies = nullptr;
+  void answer(const SampleInfo &to, Bytes bytes) {
+    std::thread([this, to, bytes]() mutable {
+      PublicationMatchedStatus status;
+      do {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        replies->get_publication_matched_status(status);
+      } while (status.current_count == 0);
+      eprosima::fastrtps::rtps::WriteParams whose;
+      whose.related_sample_identity(to.sample_identity);
+      replies->write(&bytes, whose);
+    }).detach();
+  }
+};
+
+/* The action of a Kobuki: one goal at a time. */
+struct Docking {
+  using Ident = std::array<uint8_t, 16>;
+  Ident goal{};
+  int8_t status = 0;
+  std::string text;
+  bool rejects = false, asked = false;
+  SampleInfo who;
+  Service send, result, cancel;
+  DataWriter *feedback = nullptr, *states = nullptr;
+
+  void accept(Bytes &bytes, const SampleInfo &info) {
+    bool accepts = !rejects;
+    if (accepts) decode(bytes, [&](Cdr &cdr) { cdr >> goal; }), asked = false, move(2);
+    say("goal %s", accepts ? "accepted" : "rejected");
+    send.answer(info, encoded([&](Cdr &cdr) { cdr << accepts << int32_t(0) << uint32_t(0); }));
+  }
+  void ask(const SampleInfo &info) {
+    who = info, asked = true;
+    if (status > 3) tell();
+  }
+  void give_up(Bytes &bytes, const SampleInfo &info) {
+    Ident which;
+    decode(bytes, [&](Cdr &cdr) { cdr >> which; });
+    cancel.answer(info, encoded([&](Cdr &cdr) { cdr << int8_t(0) << uint32_t(1) << which << int32_t(0) << uint32_t(0); }));
+    if (which == goal) say("cancel asked"), end(5, "given up");
+  }
+  void approach(const std::string &state) {
+    Bytes bytes = encoded([&](Cdr &cdr) { cdr << goal << state << std::string("on its way"); });
+    feedback->write(&bytes);
+  }
+  void end(int how, const std::string &why) {
+    text = why;
+    move(how);
+    if (asked) tell();
+  }
+  void move(int to) {
+    status = to;
+    Bytes bytes = encoded([&](Cdr &cdr) { cdr << uint32_t(1) << goal << int32_t(0) << uint32_t(0) << status; });
+    states->write(&bytes);
+  }
+  void tell() {
+    asked = false;
+    result.answer(who, encoded([&](Cdr &cdr) { cdr << status << text; }));
+  }
+};
 
 static double since(Clock::time_point t) { return std::chrono::duration<double>(Clock::now() - t).count(); }
 
@@ -85,14 +154,33 @@ int main(int count, char **arguments) {
   };
   velocity->matched = [](int writers) { say("seen %d", writers); };
   reader("rt" + space + (kobuki ? "/commands/velocity" : "/cmd_vel"), stamped ? "geometry_msgs::msg::dds_::TwistStamped_" : "geometry_msgs::msg::dds_::Twist_", velocity);
+  auto serves = [&](Service &service, const std::string &name, const std::string &type, std::function<void(Bytes &, const SampleInfo &)> serve) {
+    service.replies = publisher->create_datawriter(topic("rr" + space + name + "Reply", type + "Response_"), DATAWRITER_QOS_DEFAULT);
+    auto *requests = new Listener;
+    requests->serve = [serve](Bytes &bytes, const SampleInfo &info) {
+      std::lock_guard<std::mutex> lock(guard);
+      serve(bytes, info);
+    };
+    reader("rq" + space + name + "Request", type + "Request_", requests);
+  };
+  static Service power;
+  static Docking docking;
   if (!kobuki) {
-    auto *power = new Listener;
-    power->act = [](Bytes &bytes) {
+    serves(power, "/motor_power", "std_srvs::srv::dds_::SetBool_", [](Bytes &bytes, const SampleInfo &info) {
       bool on;
       decode(bytes, [&](Cdr &cdr) { cdr >> on; });
       say("called motor_power %d", on);
-    };
-    reader("rq" + space + "/motor_powerRequest", "std_srvs::srv::dds_::SetBool_Request_", power);
+      power.answer(info, encoded([](Cdr &cdr) { cdr << true << std::string("on"); }));
+    });
+  } else {
+    std::string place = "/auto_docking_action/_action/", type = "kobuki_ros_interfaces::action::dds_::AutoDocking_";
+    DataWriterQos latched = DATAWRITER_QOS_DEFAULT;
+    latched.durability().kind = TRANSIENT_LOCAL_DURABILITY_QOS;
+    docking.states = publisher->create_datawriter(topic("rt" + space + place + "status", "action_msgs::msg::dds_::GoalStatusArray_"), latched);
+    docking.feedback = writer(place.substr(1) + "feedback", type + "FeedbackMessage_");
+    serves(docking.result, place + "get_result", type + "GetResult_", [](Bytes &, const SampleInfo &info) { docking.ask(info); });
+    serves(docking.cancel, place + "cancel_goal", "action_msgs::srv::dds_::CancelGoal_", [](Bytes &bytes, const SampleInfo &info) { docking.give_up(bytes, info); });
+    serves(docking.send, place + "send_goal", type + "SendGoal_", [](Bytes &bytes, const SampleInfo &info) { docking.accept(bytes, info); });
   }
 
   std::thread([&] {
@@ -146,6 +234,17 @@ int main(int count, char **arguments) {
     if (word == "mark") {
       marking = true;
       if (moving) drive(speed, turn);
+    } else if (word == "rejects") {
+      docking.rejects = true;
+    } else if (word == "approach") {
+      std::string state;
+      std::cin >> state;
+      docking.approach(state);
+    } else if (word == "end") {
+      int status;
+      std::string text;
+      std::cin >> status >> text;
+      docking.end(status, text);
     } else if (word == "bump" && bumper) {
       int state;
       std::cin >> state;

@@ -9,6 +9,8 @@ definitions; that of the service is what ROS 2 Humble has for all.
 In: port of the router, and then what ``fast_dds_base.cpp`` takes, on the command line and on standard input; also the
 word ``no_router`` for one that uses another's router, and ``router off``, ``router on``, and ``garble``, for odometry
 that breaks off. Out: what that says.
+
+A Kobuki's action follows design.ros2.org, "Actions", the definitions of action_msgs, and AutoDocking.action.
 """
 
 import json
@@ -170,9 +172,63 @@ def on_velocity(sample):
 def on_power(query):
     if is_numbered(query.attachment):
         say(f"called motor_power {query.payload.to_bytes()[4]}")
-    query.reply(
-        query.key_expr, b"\0\1\0\0\1\0\0\0\1\0\0\0\0", attachment=query.attachment
-    )
+    answer = Cdr().put("B", 1).text("on")
+    query.reply(query.key_expr, answer.bytes(), attachment=query.attachment)
+
+
+class Docking:
+    """The action of a Kobuki: one goal at a time."""
+
+    name = "/auto_docking_action/_action"
+    kind = "kobuki_ros_interfaces::action::dds_::AutoDocking_"
+
+    def __init__(self):
+        self.goal, self.asked, self.ending, self.rejects = b"", None, None, False
+        self.feedback = Publisher(f"{self.name[1:]}/feedback", f"{self.kind}FeedbackMessage_")
+        self.serve("send_goal", f"{self.kind}SendGoal_", self.send)
+        self.serve("get_result", f"{self.kind}GetResult_", self.result)
+        self.serve("cancel_goal", "action_msgs::srv::dds_::CancelGoal_", self.cancel)
+
+    def serve(self, part, kind, answer):
+        topic = f"{SPACE}{self.name}/{part}"
+        OWN.declare_queryable(key_of(topic, kind), answer, complete=True)
+        announce("SS", topic, kind, "::,10:,:,:,,")
+
+    def reply(self, query, cdr):
+        assert is_numbered(query.attachment)
+        query.reply(query.key_expr, cdr.bytes(), attachment=query.attachment)
+
+    def send(self, query):
+        accepts = not self.rejects
+        if accepts:
+            self.goal, self.ending, self.asked = query.payload.to_bytes()[4:20], None, None
+        self.reply(query, Cdr().put("B", accepts).put("i", 0).put("I", 0))
+        say(f"goal {'accepted' if accepts else 'rejected'}")
+
+    def result(self, query):
+        assert query.payload.to_bytes()[4:20] == self.goal
+        self.asked = query
+        self.answer()
+
+    def cancel(self, query):
+        ident = query.payload.to_bytes()[4:20]
+        self.reply(query, Cdr().put("b", 0).put("I", 1).put("B", *ident).put("i", 0).put("I", 0))
+        if ident == self.goal:
+            say("cancel asked")
+            self.end(5, "given up")
+
+    def approach(self, state):
+        self.feedback.put(Cdr().put("B", *self.goal).text(state).text("on its way"))
+
+    def end(self, status, text):
+        self.ending = (status, text)
+        self.answer()
+
+    def answer(self):
+        query, ending = self.asked, self.ending
+        if query is not None and ending is not None:
+            self.asked = None
+            self.reply(query, Cdr().put("b", ending[0]).text(ending[1]))
 
 
 WRITERS = set()
@@ -261,6 +317,7 @@ if KOBUKI:
     BUMPER = Publisher(
         "events/bumper", "kobuki_ros_interfaces::msg::dds_::BumperEvent_"
     )
+    DOCKING = Docking()
 else:
     SCAN = Publisher("scan", "sensor_msgs::msg::dds_::LaserScan_")
     BATTERY = Publisher("battery_state", "sensor_msgs::msg::dds_::BatteryState_")
@@ -284,6 +341,12 @@ for line in sys.stdin:
                     DRIVE.set(DRIVE.speed, DRIVE.turn)
         case ["bump", state] if KOBUKI:
             BUMPER.put(Cdr().put("B", 0, int(state)))
+        case ["rejects"]:
+            DOCKING.rejects = True
+        case ["approach", state]:
+            DOCKING.approach(state)
+        case ["end", status, text]:
+            DOCKING.end(int(status), text)
         case ["garble"]:
             ODOMETRY.publisher.put(b"\0\1\0\0ab", attachment=b"")
         case ["router", "off"]:

@@ -2,13 +2,12 @@
 Bridge between ROS 2 and the rosbridge protocol v2, for the clients of one computer.
 
 In and out: frames of clients on a WebSocket, messages on DDS or Zenoh. It serves `advertise`, `unadvertise`, `publish`,
-`subscribe`, `unsubscribe` and `call_service` without an answer, and of rosapi what is asked of a graph; a goal for an
-action, and a call that waits for its answer, are answered with the reason why they are not carried out. The quality of
-service follows what the other side offers, whenever that changes. A velocity is sent in the type that the robot reads,
-Twist or TwistStamped, whichever the client says.
+`subscribe`, `unsubscribe`, `call_service`, `send_action_goal` and `cancel_action_goal`, and of rosapi what is asked of
+a graph. The quality of service follows what the other side offers, whenever that changes. A velocity is sent in the
+type that the robot reads, Twist or TwistStamped, whichever the client says.
 
-A robot whose client is gone or silent, or whose bridge was away for half a second, is stopped; the guardian does the
-same when the bridge ends.
+A robot whose client is gone or silent, or whose bridge was away for half a second, is stopped, and the goals of such a
+client are cancelled; the guardian stops the robot when the bridge ends.
 """
 
 from __future__ import annotations
@@ -24,10 +23,12 @@ from typing import Any, Protocol
 from websockets.exceptions import ConnectionClosed
 
 from ..boot_clock import boot_seconds
+from .calls import Calls, soon
+from .client_calls import ClientCalls
 from .guardian_process import GuardianProcess
 from .outgoing_frames import OutgoingFrames
-from .transports.dds_messages import BadMessage, from_json, message_class, request_class, to_json
-from .transports.dds_names import dds_request_topic, dds_request_type, dds_topic
+from .transports.dds_messages import BadMessage, from_json, message_class, to_json
+from .transports.dds_names import dds_topic
 from .transports.graph import Graph, Quality
 from .transports.transport import Reader, Transport, Writer
 from .velocity_watch import REPEAT, STOPPED, TIMEOUT, VELOCITIES, VelocityWatch, as_type, is_moving
@@ -45,12 +46,6 @@ _AWAY = 0.5
 
 _MATCH_TIMEOUT = 2.0
 """For a writer and a reader that the graph has to find each other, s."""
-
-_NO_ANSWERS = "over DDS and Zenoh no answers are read; start rosbridge_suite on the robot: ws://HOST:9090?ros=2"
-"""Why an action or a service is not called: the header of their messages depends on the vendor of DDS."""
-
-_CYCLONE = b"\x01\x10"
-"""Cyclone DDS's number as a vendor (dds-foundation.org, DDSI-RTPS vendor and product IDs)."""
 
 _WAS_AWAY, _NO_GUARDIAN = 4001, 4002
 """Why a connection is closed: the range for private use (RFC 6455, 7.4.2)."""
@@ -100,9 +95,9 @@ class Bridge:
         self._clients: set[_Client] = set()
         # Those that have gone and whose stop is still repeated.
         self._left: set[_Client] = set()
-        self._request_writers: dict[str, Writer] = {}
         self._beaten = boot_seconds()
         self.graph = transport.graph()
+        self.calls = Calls(transport, lambda: self.graph)
 
     async def run(self, on_topics: Callable[[dict[str, str], dict[str, list[str]]], None]) -> None:
         """
@@ -176,29 +171,7 @@ class Bridge:
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         """``on_data`` is called on the event loop."""
         loop = asyncio.get_running_loop()
-        return self._transport.reader(topic, kind, quality, lambda: _call(loop, on_data))
-
-    async def request(self, service: str, args: Any) -> str | None:
-        """Sends a request of a service, whose answer is not read: why it cannot be sent."""
-        topic = dds_request_topic(service)
-        kind = self.graph.services().get(service)
-        if kind is None:
-            return "no robot offers it"
-        if any(e.topic == topic and e.participant[:2] == _CYCLONE for e in self.graph.readers):
-            return "services of rmw_cyclonedds_cpp are not called"
-        made = request_class(f"{kind}_Request", dds_request_type(kind))
-        if made is None:
-            return f"there is no definition of {kind}"
-        try:
-            message = from_json(f"{kind}_Request", args, _time_of_day, made)
-        except BadMessage as why:
-            return str(why)
-        if topic not in self._request_writers:
-            self._request_writers[topic] = self._transport.request_writer(service, kind)
-        writer = self._request_writers[topic]
-        await self.matched(writer)
-        writer.write(message)
-        return None
+        return self._transport.reader(topic, kind, quality, lambda: soon(loop, on_data))
 
     async def matched(self, writer: Writer) -> None:
         """Returns when something reads what is written, or after a while."""
@@ -211,6 +184,7 @@ class Bridge:
         graph = self._transport.graph()
         if graph != self.graph:
             self.graph = graph
+            self.calls.follow_graph()
             for client in self._clients:
                 client.follow_graph()
 
@@ -231,6 +205,7 @@ class _Client:
         # It has sent a velocity, also one of zero.
         self.drives = False
         self._closing: asyncio.Task[None] | None = None
+        self._calls = ClientCalls(bridge.calls, self._frames.put)
 
     async def receive(self, frame: str | bytes) -> None:
         """Serves a frame; one that cannot be served is answered with a `status`."""
@@ -257,12 +232,11 @@ class _Client:
             case "unsubscribe" if topic:
                 self._unsubscribe(topic)
             case "send_action_goal":
-                self._refuse_goal(message)
+                self._calls.pursue(message, _absolute(message.get("action")))
             case "cancel_action_goal":
-                # No goal is pursued.
-                pass
+                self._calls.cancel(message.get("id"))
             case "call_service":
-                await self._call(message)
+                self._call(message)
             case op:
                 self._complain(f"unknown op {str(op)[:50]!r}")
         return None
@@ -285,8 +259,9 @@ class _Client:
         return any(a.watch is not None and a.watch.wait(now) is not None for a in self._advertised.values())
 
     def leave(self) -> None:
-        """Stops the robot that it drives, and reads no more."""
+        """Stops the robot that it drives, cancels its goals, and reads no more."""
         self.stop()
+        self._calls.leave()
         for topic in list(self._subscriptions):
             self._unsubscribe(topic)
 
@@ -300,6 +275,7 @@ class _Client:
     def end(self, code: int, why: str) -> None:
         """Stops the robot that it drives, and ignores what it sends from now on."""
         self.stop()
+        self._calls.leave()
         self._ended = True
         self._closing = asyncio.create_task(self._socket.close(code, why))
 
@@ -399,24 +375,10 @@ class _Client:
             else:
                 self._send({"op": "publish", "topic": topic, "msg": to_json(subscription.kind, message)})
 
-    async def _call(self, message: dict[str, Any]) -> None:
+    def _call(self, message: dict[str, Any]) -> None:
         service, args = _absolute(message.get("service")), message.get("args") or {}
-        values: Any = _ask_graph(self._bridge.graph, service, args if isinstance(args, dict) else {})
-        if values is not None:
-            failed = None
-        else:
-            failed = _NO_ANSWERS if "id" in message else await self._bridge.request(service, args)
-        answer = {
-            "op": "service_response",
-            "service": service,
-            "values": failed or values or {},
-            "result": failed is None,
-        }
-        self._send(answer | ({"id": message["id"]} if "id" in message else {}))
-
-    def _refuse_goal(self, message: dict[str, Any]) -> None:
-        goal = {"id": message.get("id"), "action": message.get("action")}
-        self._send({"op": "action_result", **goal, "values": _NO_ANSWERS, "status": 0, "result": False})
+        values = _ask_graph(self._bridge.graph, service, args if isinstance(args, dict) else {})
+        self._calls.call(message, service, args, values)
 
     def _complain(self, why: str) -> None:
         self._send({"op": "status", "level": "error", "msg": why})
@@ -465,9 +427,3 @@ def _long(kind: str, between: str) -> str:
 
 def _time_of_day() -> tuple[int, int]:
     return divmod(time.time_ns(), 10**9)
-
-
-def _call(loop: asyncio.AbstractEventLoop, act: Callable[[], None]) -> None:
-    # A transport may say something while the process ends.
-    with contextlib.suppress(RuntimeError):
-        loop.call_soon_threadsafe(act)

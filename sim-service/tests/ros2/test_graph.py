@@ -13,8 +13,8 @@ from rosy_sim.ros2.robot_bridge import recognised, robot_address
 from rosy_sim.ros2.transports.address import Ros2Address, is_router, parse_ros2_address
 from rosy_sim.ros2.transports.dds_names import (
     dds_message_type,
+    dds_reply_topic,
     dds_request_topic,
-    dds_request_type,
     dds_topic,
     ros_service,
     ros_topic,
@@ -34,7 +34,11 @@ def test_names_are_those_of_the_article_and_lead_back() -> None:
     assert dds_message_type("geometry_msgs/Twist") == "geometry_msgs::msg::dds_::Twist_"
     assert ros_type("geometry_msgs::msg::dds_::Twist_") == "geometry_msgs/Twist"
     assert (dds_request_topic("/sound"), ros_service("rq/soundRequest")) == ("rq/soundRequest", "/sound")
-    assert dds_request_type("std_srvs/SetBool") == "std_srvs::srv::dds_::SetBool_Request_"
+    assert dds_reply_topic("/sound") == "rr/soundReply"
+    assert dds_message_type("std_srvs/SetBool_Request") == "std_srvs::srv::dds_::SetBool_Request_"
+    assert dds_message_type("a_msgs/Dock_GetResult_Response") == "a_msgs::action::dds_::Dock_GetResult_Response_"
+    assert dds_message_type("a_msgs/Dock_FeedbackMessage") == "a_msgs::action::dds_::Dock_FeedbackMessage_"
+    assert ros_type("a_msgs::action::dds_::Dock_SendGoal_Request_") == "a_msgs/Dock_SendGoal"
     assert ros_type("std_srvs::srv::dds_::SetBool_Request_") == "std_srvs/SetBool"
     assert [ros_topic("rq/a"), ros_service("rt/a"), ros_service("rq/a"), ros_type("Square")] == [None] * 4
 

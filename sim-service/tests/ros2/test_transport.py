@@ -31,8 +31,8 @@ class Recorded:
     def writer(self, *_given: Any) -> Writer:
         return self
 
-    def request_writer(self, *_given: Any) -> Writer:
-        return self
+    def caller(self, service: str, kind: str) -> Any:
+        return f"{service} {kind} of {self.name}" if service == f"/{self.name}" else None
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:  # noqa: ARG002
         return self
@@ -59,17 +59,19 @@ def test_several_transports_are_one() -> None:
     assert list(both.graph().topics()) == ["/one", "/two"]
     reader = both.reader(*VELOCITY, lambda: None)
     assert reader.take() == [1, 2]
-    for writer in (both.writer(*VELOCITY), both.request_writer("/sound", "std_srvs/SetBool")):
-        writer.write("stop")
-        two.matched = False
-        assert not writer.is_matched()
-        two.matched = True
-        assert writer.is_matched()
-        writer.flush()
+    writer = both.writer(*VELOCITY)
+    writer.write("stop")
+    assert not writer.is_matched()
+    two.matched = True
+    assert writer.is_matched()
+    writer.flush()
+    caller: Any = both.caller("/two", "std_srvs/SetBool")
+    assert caller == "/two std_srvs/SetBool of two"
+    assert both.caller("/three", "std_srvs/SetBool") is None
     reader.close()
     both.close()
-    assert one.written == two.written == ["stop", "stop"]
-    assert one.ended == two.ended == ["flushed", "flushed", "closed", "closed"]
+    assert one.written == two.written == ["stop"]
+    assert one.ended == two.ended == ["flushed", "closed", "closed"]
 
 
 @pytest.mark.skipif(

@@ -34,7 +34,7 @@ from cyclonedds.idl.types import (
 from .dds_names import dds_message_type
 from .definitions import ros2_fields
 
-__all__ = ["BadMessage", "decode", "encode", "from_json", "message_class", "request_class", "to_json"]
+__all__ = ["BadMessage", "decode", "encode", "from_json", "message_class", "to_json", "unreadable", "with_header"]
 
 _PRIMITIVES: dict[str, Any] = {
     "bool": bool, "string": str, "byte": uint8, "char": uint8, "int8": int8, "uint8": uint8, "int16": int16,
@@ -63,17 +63,20 @@ class BadMessage(Exception):
 
 @cache
 def message_class(kind: str) -> Any | None:
-    """The class of a message type; ``None`` without its definition."""
-    return _class(kind, dds_message_type(kind))
+    """The class of a message type, or of a part of a service or action; ``None`` without its definition."""
+    return _class(kind, {})
 
 
 @cache
-def request_class(kind: str, type_name: str) -> Any | None:
-    """The class of a service's request, ``std_srvs/SetBool_Request``, with its name in DDS."""
-    return _class(kind, type_name)
+def with_header(kind: str) -> Any | None:
+    """
+    The class of a service's request or response behind the header that Cyclone DDS's services have (rmw_cyclonedds,
+    serdata.hpp): who calls, and the number of the call.
+    """
+    return _class(kind, {"rosy_client": uint64, "rosy_number": int64})
 
 
-def _class(kind: str, type_name: str) -> Any | None:
+def _class(kind: str, header: dict[str, Any]) -> Any | None:
     fields = ros2_fields(kind)
     if fields is None:
         return None
@@ -82,7 +85,9 @@ def _class(kind: str, type_name: str) -> Any | None:
         return None
     # A structure of IDL has a member, so ROS 2 gives it one.
     return make_idl_struct(
-        kind.replace("/", "_"), type_name.replace("::", "."), types or {"structure_needs_at_least_one_member": uint8}
+        kind.replace("/", "_"),
+        dds_message_type(kind).replace("::", "."),
+        header | (types or {"structure_needs_at_least_one_member": uint8}),
     )
 
 
@@ -106,9 +111,16 @@ def decode(kind: str, payload: bytes) -> Any:
         BadMessage: there is another one, or none.
     """
     try:
-        return message_class(kind).deserialize(payload)  # type: ignore[union-attr]
+        # A definition of another year may have fewer fields: what is missing in the last word is zero, as in DDS.
+        whole = payload + b"\0" * (-len(payload) % 4)
+        return message_class(kind).deserialize(whole)  # type: ignore[union-attr]
     except Exception as why:
-        raise BadMessage(f"what arrives is no {kind}") from why
+        raise unreadable(kind) from why
+
+
+def unreadable(kind: str) -> BadMessage:
+    """What arrives in place of a type's message has other bytes."""
+    return BadMessage(f"what arrives is no {kind}")
 
 
 def to_json(kind: str, message: Any) -> dict[str, Any]:
@@ -124,14 +136,14 @@ def _json_field(field: str, length: int, value: Any) -> Any:
     return list(value) if length >= 0 else value
 
 
-def from_json(kind: str, value: Any, now: Now, made: Any | None = None) -> Any:
+def from_json(kind: str, value: Any, now: Now) -> Any:
     """
-    The message of a type. ``made`` is its class if it is not that of ``message_class``.
+    The message of a type.
 
     Raises:
         BadMessage: it does not fit.
     """
-    return _message(kind, value, now, made or message_class(kind), kind)
+    return _message(kind, value, now, message_class(kind), kind)
 
 
 def _message(kind: str, value: Any, now: Now, made: Any, path: str) -> Any:

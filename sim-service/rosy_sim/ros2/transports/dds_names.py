@@ -1,6 +1,8 @@
 """
 Names of ROS 2 in DDS, and back: ``/cmd_vel`` is ``rt/cmd_vel``, ``geometry_msgs/Twist`` is
-``geometry_msgs::msg::dds_::Twist_`` (design.ros2.org, "Topic and Service name mapping to DDS"). Pure.
+``geometry_msgs::msg::dds_::Twist_`` (design.ros2.org, "Topic and Service name mapping to DDS"). A service is a topic of
+requests and one of replies; an action is three services and two topics below ``_action`` (design.ros2.org, "Actions").
+Pure.
 """
 
 from __future__ import annotations
@@ -9,16 +11,19 @@ import re
 
 __all__ = [
     "dds_message_type",
+    "dds_reply_topic",
     "dds_request_topic",
-    "dds_request_type",
     "dds_topic",
     "ros_service",
     "ros_topic",
     "ros_type",
 ]
 
-_MESSAGE = re.compile(r"(\w+)::msg::dds_::(\w+)_")
-_REQUEST = re.compile(r"(\w+)::srv::dds_::(\w+)_Request_")
+_MESSAGE = re.compile(r"(\w+)::(?:msg|action)::dds_::(\w+)_")
+_REQUEST = re.compile(r"(\w+)::(?:srv|action)::dds_::(\w+)_Request_")
+
+_OF_ACTIONS = ("_SendGoal_Request", "_SendGoal_Response", "_GetResult_Request", "_GetResult_Response")
+"""Endings of the types of an action's services. No other type has an underscore (rosidl_adapter, parser.py)."""
 
 
 def dds_topic(topic: str) -> str:
@@ -27,9 +32,16 @@ def dds_topic(topic: str) -> str:
 
 
 def dds_message_type(kind: str) -> str:
-    """The DDS type of a message type without ``msg``: ``geometry_msgs/Twist``."""
+    """
+    The DDS type of a message type without ``msg``, ``geometry_msgs/Twist``, or of a part of a service or an action:
+    ``std_srvs/SetBool_Request``, ``nav2_msgs/NavigateToPose_FeedbackMessage``.
+    """
     package, _, name = kind.partition("/")
-    return f"{package}::msg::dds_::{name}_"
+    if name.endswith((*_OF_ACTIONS, "_FeedbackMessage")):
+        place = "action"
+    else:
+        place = "srv" if name.endswith(("_Request", "_Response")) else "msg"
+    return f"{package}::{place}::dds_::{name}_"
 
 
 def dds_request_topic(service: str) -> str:
@@ -37,10 +49,9 @@ def dds_request_topic(service: str) -> str:
     return f"rq{service}Request"
 
 
-def dds_request_type(kind: str) -> str:
-    """The DDS type of the requests of a service type without ``srv``: ``std_srvs/SetBool``."""
-    package, _, name = kind.partition("/")
-    return f"{package}::srv::dds_::{name}_Request_"
+def dds_reply_topic(service: str) -> str:
+    """The DDS topic of a service's replies."""
+    return f"rr{service}Reply"
 
 
 def ros_topic(name: str) -> str | None:
@@ -57,5 +68,5 @@ def ros_service(name: str) -> str | None:
 
 def ros_type(name: str) -> str | None:
     """The type of a message or of a request, without ``msg`` and ``srv``."""
-    found = _MESSAGE.fullmatch(name) or _REQUEST.fullmatch(name)
+    found = _REQUEST.fullmatch(name) or _MESSAGE.fullmatch(name)
     return f"{found[1]}/{found[2]}" if found else None

@@ -25,10 +25,11 @@ from cyclonedds.sub import DataReader
 from cyclonedds.topic import Topic
 from cyclonedds.util import duration
 
-from .dds_messages import message_class, request_class
-from .dds_names import dds_request_topic, dds_request_type
+from .dds_caller import DdsCaller
+from .dds_messages import message_class, with_header
+from .dds_names import dds_reply_topic, dds_request_topic
 from .graph import Endpoint, Graph, Quality
-from .transport import MOST_TAKEN, Reader, Writer
+from .transport import MOST_TAKEN, Caller, Reader, Writer
 
 __all__ = ["DdsTransport"]
 
@@ -36,6 +37,12 @@ _MAX_ENDPOINTS = 5000
 """Of a domain; more are not looked at."""
 
 _ALIVE = InstanceState.Alive | ViewState.Any | SampleState.Any
+
+_CYCLONE = b"\x01\x10"
+"""Cyclone DDS's number as a vendor (dds-foundation.org, DDSI-RTPS vendor and product IDs)."""
+
+_SERVICE = Quality(True, False)
+"""rmw, qos_profiles.h: rmw_qos_profile_services_default."""
 
 _BLOCKING = duration(milliseconds=100)
 """What ROS 2 uses (rmw_cyclonedds: DDS_RELIABILITY max_blocking_time), shorter: the next velocity is due then."""
@@ -69,12 +76,23 @@ class DdsTransport:
 
     def writer(self, topic: str, kind: str, quality: Quality) -> Writer:
         """Of a DDS topic."""
-        return self._writer(topic, message_class(kind), quality)
+        return _Writer(DataWriter(self._participant, self._topic(topic, message_class(kind)), qos=_qos(quality)))
 
-    def request_writer(self, service: str, kind: str) -> Writer:
-        """Of a service's requests."""
-        made = request_class(f"{kind}_Request", dds_request_type(kind))
-        return self._writer(dds_request_topic(service), made, Quality(True, False))
+    def caller(self, service: str, kind: str) -> Caller | None:
+        """Of a service; those of Cyclone DDS have a header of their own."""
+        topic = dds_request_topic(service)
+        servers = [e.participant[:2] for e in self.graph().readers if e.topic == topic]
+        if not servers:
+            return None
+        made = with_header if _CYCLONE in servers else message_class
+        replies = self._topic(dds_reply_topic(service), made(f"{kind}_Response"))
+        caller = DdsCaller(kind, made(f"{kind}_Request"), has_header=_CYCLONE in servers)
+        listener = Listener(on_data_available=lambda _reader: caller.take())
+        # A service answers at once, so the reader is announced first.
+        reader = DataReader(self._participant, replies, qos=_qos(_SERVICE), listener=listener)
+        requests = self._topic(topic, made(f"{kind}_Request"))
+        caller.use(DataWriter(self._participant, requests, qos=_qos(_SERVICE)), reader)
+        return caller
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         """``on_data`` is called in a thread of DDS whenever there is something to take."""
@@ -84,9 +102,6 @@ class DdsTransport:
 
     def close(self) -> None:
         """A participant leaves when nothing refers to it."""
-
-    def _writer(self, topic: str, made: Any, quality: Quality) -> Writer:
-        return _Writer(DataWriter(self._participant, self._topic(topic, made), qos=_qos(quality)))
 
     def _topic(self, name: str, made: Any) -> Any:
         # A second one of the same name and type is refused or not, by the quality of the first.

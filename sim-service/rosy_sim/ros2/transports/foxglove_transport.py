@@ -19,7 +19,7 @@ from .dds_messages import BadMessage, decode, encode
 from .dds_names import dds_message_type, dds_topic, ros_topic
 from .definitions import ros2_schema
 from .graph import Endpoint, Graph, Quality
-from .transport import MOST_TAKEN, Reader, Writer
+from .transport import MOST_TAKEN, Caller, Reader, Writer
 
 __all__ = ["FOXGLOVE_PORT", "FoxgloveTransport"]
 
@@ -83,9 +83,9 @@ class FoxgloveTransport(ServerListener):  # type: ignore[misc]
                 known = self._writers[name] = _Writer(name, kind, channel, quality.latched)
             return known
 
-    def request_writer(self, service: str, kind: str) -> Writer:  # noqa: ARG002 no panel offers a service
-        """Its messages are dropped: no panel offers a service."""
-        return _NoWriter()
+    def caller(self, service: str, kind: str) -> Caller | None:  # noqa: ARG002 no panel offers a service
+        """There is none."""
+        return None
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:  # noqa: ARG002
         """``on_data`` is called in a thread of the server."""
@@ -175,17 +175,6 @@ class _Writer:
 
     def flush(self) -> None:
         """The server sends in its own threads."""
-
-
-class _NoWriter:
-    def write(self, message: Any) -> None:
-        """Drop it."""
-
-    def is_matched(self) -> bool:
-        return False
-
-    def flush(self) -> None:
-        """Nothing was written."""
 
 
 class _Reader:

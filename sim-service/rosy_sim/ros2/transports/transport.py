@@ -12,10 +12,14 @@ from typing import Any, Protocol
 
 from .graph import Graph, Quality
 
-__all__ = ["MOST_TAKEN", "Reader", "Transport", "Transports", "Writer"]
+__all__ = ["MOST_TAKEN", "Answer", "Caller", "Reader", "Transport", "Transports", "Writer"]
 
 MOST_TAKEN = 100
 """Messages that one look at a reader takes."""
+
+
+Answer = Callable[[Any], None]
+"""Takes the response of a service, a ``BadMessage`` in place of one that cannot be read, or ``None``: there is none."""
 
 
 class Writer(Protocol):
@@ -41,6 +45,19 @@ class Reader(Protocol):
         """It hears nothing from now on."""
 
 
+class Caller(Protocol):
+    """Of one service; closed when nothing refers to it."""
+
+    is_exact: bool
+    """Whether it tells its own answers from those to others."""
+
+    def is_matched(self) -> bool:
+        """Whether the service hears it, and is heard."""
+
+    def call(self, request: Any, on_answer: Answer) -> None:
+        """``on_answer`` is called once, in a thread of the transport; never while a service does not answer."""
+
+
 class Transport(Protocol):
     """One domain."""
 
@@ -50,8 +67,8 @@ class Transport(Protocol):
     def writer(self, topic: str, kind: str, quality: Quality) -> Writer:
         """Of a message type that has a definition."""
 
-    def request_writer(self, service: str, kind: str) -> Writer:
-        """Of the requests of a service, whose type has a definition; their answers are not read."""
+    def caller(self, service: str, kind: str) -> Caller | None:
+        """Of a service that the graph has, of a type that has a definition; ``None`` where it is not there."""
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         """``on_data`` is called whenever there is something to take."""
@@ -78,9 +95,10 @@ class Transports:
         """Writes to all of them."""
         return _Writers([transport.writer(topic, kind, quality) for transport in self._transports])
 
-    def request_writer(self, service: str, kind: str) -> Writer:
-        """Writes to all of them."""
-        return _Writers([transport.request_writer(service, kind) for transport in self._transports])
+    def caller(self, service: str, kind: str) -> Caller | None:
+        """Of the first of them that has the service."""
+        callers = (transport.caller(service, kind) for transport in self._transports)
+        return next((caller for caller in callers if caller is not None), None)
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         """Reads from all of them."""

@@ -19,11 +19,12 @@ from typing import Any
 
 import zenoh
 from zenoh.ext import HistoryConfig, Int64, declare_advanced_subscriber, z_serialize
+from zenoh.handlers import Callback
 
 from .dds_messages import BadMessage, decode, encode
-from .dds_names import dds_message_type, dds_request_topic, dds_request_type, ros_topic
+from .dds_names import dds_message_type, dds_request_topic, ros_topic
 from .graph import Graph, Quality
-from .transport import MOST_TAKEN, Reader, Writer
+from .transport import MOST_TAKEN, Answer, Caller, Reader, Writer
 from .zenoh_names import ZenohEndpoint, node_token, parse_token, token_for, topic_key
 
 __all__ = ["ZenohTransport"]
@@ -40,8 +41,8 @@ _NODE = "rosy"
 _DEPTH = 10
 """Of what a reader keeps until it is taken: that of DDS."""
 
-_SERVER_TIMEOUT = 2.0
-"""For the answer of a service, which is not read, s."""
+_NEVER = 1e9
+"""For the answer of a service, s: an action answers when it has ended (rmw_zenoh waits as long as it can)."""
 
 
 class ZenohTransport:
@@ -83,9 +84,12 @@ class ZenohTransport:
         """Of a DDS topic."""
         return _Writer(self, topic, dds_message_type(kind))
 
-    def request_writer(self, service: str, kind: str) -> Writer:
-        """Of a service's requests."""
-        return _RequestWriter(self, dds_request_topic(service), dds_request_type(kind))
+    def caller(self, service: str, kind: str) -> Caller | None:
+        """Of a service."""
+        topic = dds_request_topic(service)
+        with self._lock:
+            is_there = any(other.is_reader and self._dds_names(other)[0] == topic for other in self._others.values())
+        return _Caller(self, topic, kind) if is_there else None
 
     def reader(self, topic: str, kind: str, quality: Quality, on_data: Callable[[], None]) -> Reader:
         """``on_data`` is called in a thread of Zenoh whenever there is something to take."""
@@ -240,17 +244,54 @@ class _Writer:
         session.put(key, payload, attachment=attachment, congestion_control=drop, express=True)
 
 
-class _RequestWriter(_Writer):
-    def _send(self, session: zenoh.Session, key: str, payload: bytes, attachment: zenoh.ZBytes) -> None:
+class _Caller(_Writer):
+    is_exact = True
+
+    def __init__(self, transport: ZenohTransport, topic: str, kind: str) -> None:
+        super().__init__(transport, topic, dds_message_type(f"{kind}_Request"))
+        self._kind = kind
+
+    def call(self, request: Any, on_answer: Answer) -> None:
+        session, keys = self._transport.session(), self._transport.keys(self._topic, self._type)
+        if session is None or not keys:
+            on_answer(None)
+            return
+        answers = _Answers(f"{self._kind}_Response", on_answer)
         session.get(
-            key,
-            lambda _reply: None,
-            payload=payload,
-            attachment=attachment,
+            min(keys),
+            Callback(answers.take, answers.end),
+            payload=encode(request),
+            attachment=self._attachment(),
             # Whose server rmw_zenoh declares complete (rmw_zenoh, rmw_client_data.cpp).
             target=zenoh.QueryTarget.ALL_COMPLETE,
-            timeout=_SERVER_TIMEOUT,
+            consolidation=zenoh.ConsolidationMode.NONE,
+            timeout=_NEVER,
         )
+
+
+class _Answers:
+    """To one request: the first counts."""
+
+    def __init__(self, kind: str, on_answer: Answer) -> None:
+        self._kind = kind
+        self._on_answer: Answer | None = on_answer
+
+    def take(self, reply: zenoh.Reply) -> None:
+        if reply.ok is None:
+            return
+        try:
+            self._give(decode(self._kind, reply.ok.payload.to_bytes()))
+        except BadMessage as why:
+            self._give(why)
+
+    def end(self) -> None:
+        """There are no more."""
+        self._give(None)
+
+    def _give(self, answer: Any) -> None:
+        on_answer, self._on_answer = self._on_answer, None
+        if on_answer is not None:
+            on_answer(answer)
 
 
 class _Reader:
