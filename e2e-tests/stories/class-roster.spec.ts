@@ -42,7 +42,7 @@ const draft = {
   ],
 }
 
-test("a list becomes thirty pupils, entries change, and one screen shows who needs help, over a closed lid", async ({
+test("a list becomes thirty pupils, entries change, and one screen shows who needs help", async ({
   browser,
 }) => {
   const teacher = await device(browser)
@@ -124,16 +124,5 @@ test("a list becomes thirty pupils, entries change, and one screen shows who nee
   await opened.getByRole("button", {name: "I have seen it"}).click()
   await expect(again.page.getByRole("button", {name: "Raise hand"})).toBeVisible()
   await opened.getByRole("button", {name: "Close"}).click()
-
-  // The lid is closed for a break and opened: all are told, and are back without a click.
-  running.standsStill()
-  await expect(again.page.getByTestId("class-saved")).toContainText("No connection to the class")
-  await expect(teacher.getByText("No connection to Rosy.")).toBeVisible()
-  running.goesOn()
-  await expect(again.page.getByTestId("class-saved")).toHaveText("Saved in the class")
-  await expect(teacher.getByTestId("suspended")).toContainText("Rosy stood still")
-  await expect(tiles).toHaveCount(names.length - 1)
-  await again.page.getByRole("button", {name: "Raise hand"}).click()
-  await expect(tiles.first()).toContainText("Raised hand")
   for (const page of [again.page, teacher]) await page.context().close()
 })

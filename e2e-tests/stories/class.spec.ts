@@ -44,35 +44,6 @@ test("a pupil's last letter is on another device, also after the service was kil
   await third.page.context().close()
 })
 
-test("a page that stays open meets another class, shows nothing of the first, and is back in it afterwards", async ({
-  browser,
-}) => {
-  const {learner: ada} = await joins(browser, "Ada")
-  await ada.changesNumber("0.5", "0.25")
-  await expect(ada.haskell()).toContainText("0.25")
-  await savedIn(ada)
-
-  running = await running.gives("7c")
-  const card = ada.page.getByRole("dialog", {name: "Join your class"})
-  await expect(card).toBeVisible()
-  await expect(ada.haskell()).not.toContainText("0.25")
-  await card.getByRole("textbox", {name: "Class code"}).fill(running.code)
-  await card.getByRole("textbox", {name: "Nickname"}).fill("Zoe")
-  await card.getByRole("button", {name: "Join the class"}).click()
-  await ada.page.getByRole("button", {name: "I wrote them down"}).click()
-  await ada.page.getByRole("button", {name: "My programs"}).first().click()
-  const programs = ada.page.getByRole("dialog", {name: "My programs"})
-  await expect(programs).toBeVisible()
-  await expect(programs.getByText("forwardBackward")).toHaveCount(0)
-  await ada.page.keyboard.press("Escape")
-
-  running = await running.gives("7b")
-  await expect(ada.page.getByTestId("class-bar")).toContainText("Ada")
-  await expect(ada.haskell()).toContainText("0.25")
-  await expect(card).toHaveCount(0)
-  await ada.page.context().close()
-})
-
 test("what two devices changed without each other becomes two programs", async ({browser}) => {
   const {learner: ada, words} = await joins(browser, "Ada")
   await ada.changesNumber("0.5", "0.25")

@@ -297,7 +297,7 @@ export const page: Omit<
   endFilm: "Terminer le film",
   robots: {
     title: "Quel robot ?",
-    lead: "Le même programme marche sur chacun d’eux.",
+    lead: "Le même programme fonctionne sur chacun d’eux.",
     choose: "Choisir un robot",
     simulated: "Robot simulé",
     simulatedShort: "Simulé",

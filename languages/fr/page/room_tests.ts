@@ -8,7 +8,7 @@ const {short, seconds, metres, count} = measuresOf("fr")
 export const roomTests: Words["roomTests"] = {
   menu: "Tester dans plusieurs salles…",
   title: "Tester dans plusieurs salles",
-  lead: "Ton programme marche-t-il dans des salles qu’il n’a jamais vues ?",
+  lead: "Ton programme fonctionne-t-il dans des salles qu’il n’a jamais vues ?",
   hold: "Ceci doit être vrai dans chaque salle :",
   properties: {
     "reaches-goal": "Il atteint le but",

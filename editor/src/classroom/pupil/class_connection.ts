@@ -22,6 +22,7 @@ import {type ClassProgress, openClassProgress} from "./class_progress.ts"
 import {type ClassEvent, type ClassState, firstClassState, reduceClass} from "./class_state.ts"
 import {type ClassSync, openClassSync} from "./class_sync.ts"
 import {type ForeignPrograms, openForeignPrograms} from "./foreign_programs.ts"
+import {type InterruptedLessons, openInterruptedLessons} from "./interrupted_lessons.ts"
 import {openStatus, watchChanges} from "./page_observers.ts"
 import type {PageOfClass} from "./page_of_class.ts"
 import {openPupilSharing, type PupilSharing} from "./pupil_sharing.ts"
@@ -46,6 +47,7 @@ export class ClassConnection {
   private readonly pause: ReturnType<typeof openPause>
   private readonly endTasks: ReturnType<typeof openTaskTimers>
   private readonly foreign: ForeignPrograms
+  private readonly lessons: InterruptedLessons
   /// The service has let this connection in.
   private isIn = false
   /// A change waits for the pause after it.
@@ -74,6 +76,7 @@ export class ClassConnection {
     this.pause = openPause(store)
     this.endTasks = openTaskTimers(task => this.dispatch({kind: "task-ended", task}))
     this.foreign = openForeignPrograms(page, this.memberships)
+    this.lessons = openInterruptedLessons(page)
     this.watchProgram(store)
   }
 
@@ -176,6 +179,7 @@ export class ClassConnection {
     const wasMember = isOther && this.memberships.read() !== null
     if (isOther) {
       this.sync.left()
+      if (wasMember) this.lessons.interrupt(before)
       this.dispatch({kind: "class-changed"})
     }
     this.memberships.setClass(id)
@@ -197,9 +201,11 @@ export class ClassConnection {
 
   /// `wasUp`: the hand was raised before, perhaps while there was no connection.
   private enter(message: PupilAnswer & {readonly op: "entered"}, wasUp: boolean): void {
+    const classId = this.memberships.classId() ?? ""
     const isReplaced = this.foreign.takeReplaced()
     this.sync.entered(message.programs, message.token !== null || isReplaced)
-    this.progress.entered(message, this.memberships.classId() ?? "")
+    this.progress.entered(message, classId)
+    this.lessons.goOn(classId)
     if (wasUp && !message.hand) this.sendAlways({op: "hand", up: this.state.value.hand})
     this.status.repeat()
   }

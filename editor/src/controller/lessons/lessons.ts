@@ -94,9 +94,7 @@ function arrange(store: Store, arrangement: Arrangement): void {
 
 function show(store: Store, loader: ProgramLoader, lesson: Lesson, origin: Origin = {}): void {
   arrange(store, duringLesson(store.now.arrangement, window.innerWidth))
-  const at = firstOpenStep(lesson, store.now.lessons.progress)
-  openProgram(loader, lesson, at, origin)
-  store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
+  showLesson(store, loader, lesson, firstOpenStep(lesson, store.now.lessons.progress), true, origin)
 }
 
 /// Opens a lesson from a file or a link; false, with a notice that calls it by `name`, for one that cannot be read.
@@ -176,9 +174,21 @@ export function resumeLesson(store: Store, loader: ProgramLoader, storage: {read
     const at = firstOpenStep(lesson, store.now.lessons.progress)
     const {worldName} = store.now
     const isItsRoom = typeof worldName === "object" && worldName?.name === lesson.room.name
-    if (!isItsRoom) openProgram(loader, lesson, at, {isFirst: true})
-    store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
+    showLesson(store, loader, lesson, at, !isItsRoom, {isFirst: true})
   })
+}
+
+/// Shows a lesson at a step, with the program that the page shows or, with `opensProgram`, the one that the step begins with.
+export function showLesson(
+  store: Store,
+  loader: ProgramLoader,
+  lesson: Lesson,
+  at: number,
+  opensProgram: boolean,
+  origin: Origin = {},
+): void {
+  if (opensProgram) openProgram(loader, lesson, at, origin)
+  store.dispatch({kind: "lesson", event: {kind: "opened", lesson, at, runs: store.now.runs}})
 }
 
 /// `null` when it can be had no more.
