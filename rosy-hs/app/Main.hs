@@ -33,7 +33,7 @@ import GHC.Clock (getMonotonicTime)
 import Network.Socket (Socket, mkSocket, recvFd)
 import Rosy.Robot (Orientation (..), Position (..))
 import Rosy.Robots.ArmPrompt (startArmPrompt)
-import Rosy.Robots.Connection (Connection (..), neverRan)
+import Rosy.Robots.Connection (Connection (..), neverRan, sendNow)
 import Rosy.Robots.DriverLock (withDriverLock)
 import Rosy.Robots.Guard
 import Rosy.Robots.LinkRecorder (beginRecording, recordLines, recordedConnection, withRecorder)
@@ -100,7 +100,7 @@ driveOnce recording address fd seconds limits = do
     let connection = recordedConnection recorder plain
         observer = (onTerminal (connectionName connection)) {onLines = recordLines recorder}
     startArmPrompt (connectionName connection) guarded
-    let sendHalt = atomically (stateTVar guarded haltWheels) >>= mapM_ (sendCommand connection)
+    let sendHalt = sendNow connection (stateTVar guarded haltWheels)
     onSignals terminationSignals (sendHalt >> atomically (writeTVar stopWanted True)) (runLockstep pace observer (readTVar stopWanted) (listToMaybe seconds) (targetPatience target) guarded connection socket)
       `finally` (sendHalt >> sayUnreadable connection)
   ended <- getMonotonicTime

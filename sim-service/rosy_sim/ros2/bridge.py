@@ -315,7 +315,7 @@ class _Client:
             self._write(topic, advertised, message)
         except BadMessage as why:
             return self._complain(f"{topic}: {why}")
-        if advertised.kind in VELOCITIES:
+        if advertised.kind in VELOCITIES and not self._ended:
             self.drives = True
             if is_moving(message):
                 self._bridge.end_stops()
@@ -326,9 +326,17 @@ class _Client:
 
     def _write(self, topic: str, advertised: _Advertised, message: Any) -> None:
         kind, writer = self._writer(topic, advertised)
-        if kind in VELOCITIES:
-            message = as_type(message, kind)
-        writer.write(from_json(kind, message, _time_of_day))
+        if kind not in VELOCITIES:
+            writer.write(from_json(kind, message, _time_of_day))
+            return
+        sample = from_json(kind, as_type(message, kind), _time_of_day)
+        if is_moving(message):
+            # As late as it can be: this process may have been suspended since it read the frame.
+            self.drives = True
+            self._bridge.check_awake()
+            if self._ended:
+                return
+        writer.write(sample)
 
     def _writer(self, topic: str, advertised: _Advertised) -> tuple[str, Writer]:
         kind = self._kind_to_write(topic, advertised)

@@ -21,6 +21,7 @@ from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.typing import Origin
 
 from rosy_sim.ros2.bridge import Bridge
+from rosy_sim.ros2.transports.dds_messages import from_json
 from rosy_sim.ros2.transports.dds_names import dds_message_type
 from rosy_sim.ros2.transports.graph import Endpoint, Graph, Quality
 from rosy_sim.ros2.transports.transport import Reader
@@ -428,3 +429,19 @@ def test_the_first_velocity_waits_until_the_robot_hears_what_is_written() -> Non
     drives = Frames({"op": "advertise", **topic}, {"op": "publish", **topic, "msg": TWIST})
     asyncio.run(Unguarded(transport, None).serve(drives))
     assert transport.written == [(3, 0.2), (3, 0.0)]
+
+
+def test_a_velocity_that_was_read_before_a_freeze_is_not_written_after_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+
+    def convert_and_freeze(*arguments: Any) -> Any:
+        now[0] += 10
+        return from_json(*arguments)
+
+    monkeypatch.setattr("rosy_sim.ros2.bridge.boot_seconds", lambda: now[0])
+    monkeypatch.setattr("rosy_sim.ros2.bridge.from_json", convert_and_freeze)
+    transport = LateReader()
+    topic = {"topic": "/cmd_vel", "type": "geometry_msgs/Twist"}
+    drives = Frames({"op": "advertise", **topic}, {"op": "publish", **topic, "msg": TWIST})
+    asyncio.run(Unguarded(transport, None).serve(drives))
+    assert [speed for _, speed in transport.written if speed] == []

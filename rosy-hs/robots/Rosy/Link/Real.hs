@@ -64,7 +64,7 @@ requestStop r = atomically (writeTVar (stopWanted r) True)
 
 -- | Halts the wheels; later commands of the program have no effect.
 haltRobot :: RunControl -> Connection -> IO ()
-haltRobot r robot = atomically (stateTVar (guarded r) haltWheels) >>= mapM_ (sendCommand robot)
+haltRobot r robot = sendNow robot (stateTVar (guarded r) haltWheels)
 
 data Clock = Clock
   { -- | seconds of a clock that runs while the computer sleeps
@@ -164,7 +164,7 @@ nextBatch run = do
       t <- now (clock run)
       arrived <- (++) <$> atomicModifyIORef' (early run) ([],) <*> (concat <$> mapM (passes run) hs)
       (ms, actions) <- guarding run (freshMessages t arrived)
-      mapM_ (sendCommand (connection run)) actions
+      mapM_ (sendCommand (connection run) t) actions
       lost <- readIORef (lostSince run)
       forM_ lost $ \(since, why) -> when (t - since > patience run) (throwIO (LinkLost (T.unpack (english why))))
       if null ms && not tick
@@ -182,7 +182,7 @@ answerBatch run a = do
   tick <- readIORef (ticked run)
   when tick $ do
     t <- now (clock run)
-    guarding run (onTick t) >>= mapM_ (sendCommand (connection run))
+    guarding run (onTick t) >>= mapM_ (sendCommand (connection run) t)
     drives <- mayBeDriven <$> readTVarIO (guarded (control run))
     unless drives (cancelGoals (connection run))
     guarding run (noticeMotion t) >>= mapM_ (motionNotice (connection run) >=> complain run)
@@ -190,11 +190,11 @@ answerBatch run a = do
 -- | Messages of an event for the program, in order; notices go to the terminal.
 passes :: RealRun -> RobotEvent -> IO [Message]
 passes run h = do
+  t <- now (clock run)
   wasHere <- isConnected <$> readTVarIO (guarded (control run))
   case h of
     Disconnected why | wasHere -> do
       complain run (IsLost why)
-      t <- now (clock run)
       writeIORef (lostSince run) (Just (t, why))
     Disconnected why -> complain run (IsAwaited why)
     Refused why -> complain run (IsRefused why) >> atomically (writeTVar (refused (control run)) True) >> throwIO (LinkLost (T.unpack (english why)))
@@ -206,7 +206,7 @@ passes run h = do
     Misunderstood what -> complain run (IsUnreadable what)
     Received _ -> pure ()
   (messages, actions) <- guarding run (onEvent h)
-  messages <$ mapM_ (sendCommand (connection run)) actions
+  messages <$ mapM_ (sendCommand (connection run) t) actions
 
 -- | Carries out a command. The time is read for each: this process may be suspended between two of them.
 drive :: RealRun -> Action -> IO ()
@@ -217,7 +217,7 @@ drive run a = do
   drives <- mayBeDriven <$> readTVarIO (guarded (control run))
   case callsServer a of
     Just frame | not drives -> refuseCall (connection run) frame mayNotDrive
-    _ -> forM_ (resolveCommand (connection run) a) $ \a' -> now (clock run) >>= \t -> guarding run (onCommand t a') >>= mapM_ (sendCommand (connection run))
+    _ -> forM_ (resolveCommand (connection run) a) $ \a' -> now (clock run) >>= \t -> guarding run (onCommand t a') >>= mapM_ (sendCommand (connection run) t)
 
 guarding :: RealRun -> (Guard -> (b, Guard)) -> IO b
 guarding run f = atomically (stateTVar (guarded (control run)) f)

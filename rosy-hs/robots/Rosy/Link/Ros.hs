@@ -39,8 +39,10 @@ import Rosy.Channel (Action (..), Channel (..), Field, Message)
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.DynamicMessage
+import Rosy.Robots.Expiry
 import Rosy.Robots.Guardian (guardingSocket)
 import Rosy.Robots.RosbridgeCodec (strangeVelocity, velocityAt, velocityRoute)
 import Rosy.Robots.Target (odometryTopic)
@@ -68,9 +70,9 @@ withRos settings name asksType plain use = withNodeIn settings "rosy" $ do
           { connectionName = name,
             connectionRoutes = known,
             registerTopics = ownTopics,
-            sendCommand = \case
+            sendCommand = \decided -> \case
               OpenAction topic message -> readTVarIO (sent own) >>= mapM_ ($ message) . Map.lookup topic
-              Action c fields -> forM_ (Map.lookup (channelNumber c) publishers) ($ fields),
+              a@(Action c _) -> forM_ (Map.lookup (channelNumber c) publishers) ($ expiring decided a),
             cancelGoals = pure (),
             refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents hearing,
@@ -215,7 +217,7 @@ senderOwn t = case someSymbolVal (topicType t) of
     pure (publish publisher' . DynamicMessage)
 
 -- | What publishes the commands of a channel.
-sender :: Route -> Node ([Field] -> IO ())
+sender :: Route -> Node (Expiring Action -> IO ())
 sender r = case someSymbolVal (T.unpack (routeType r)) of
   SomeSymbol (_ :: Proxy name) -> do
     let messageAt time = Aeson.decode . encodingToLazyByteString . velocityAt r time . encode r :: [Field] -> Maybe Aeson.Value
@@ -225,4 +227,7 @@ sender r = case someSymbolVal (T.unpack (routeType r)) of
           Just stop | routeChannel r == wheels -> guardingSocket socket (frame (put (DynamicMessage stop :: DynamicMessage name)))
           _ -> id
     publisher' <- publisherWith publisherOptions {latched = routeLatched r, aroundSubscriber = guarded} (T.unpack (routeTopic r)) :: Node (Publisher (DynamicMessage name))
-    pure (\fields -> getPOSIXTime >>= \now -> mapM_ (publish publisher' . DynamicMessage) (messageAt (realToFrac now) fields))
+    pure $ \command -> do
+      now <- getPOSIXTime
+      forM_ (traverse (\(Action _ fields) -> DynamicMessage <$> messageAt (realToFrac now) fields) command) $ \message ->
+        publishPicked publisher' (\e -> (`valueAt` e) <$> bootSeconds) message

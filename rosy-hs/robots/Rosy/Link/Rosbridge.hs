@@ -13,7 +13,7 @@ module Rosy.Link.Rosbridge
   )
 where
 
-import Control.Concurrent (threadDelay)
+import Control.Concurrent (threadDelay, threadWaitWrite)
 import Control.Concurrent.Async (race, race_, withAsync)
 import Control.Concurrent.STM
 import Control.Exception (Handler (..), IOException, bracket, catches, finally)
@@ -27,7 +27,7 @@ import qualified Data.Set as Set
 import Data.Text (Text)
 import qualified Data.Text as T
 import Data.Time.Clock.POSIX (getPOSIXTime)
-import Network.Socket (close)
+import Network.Socket (close, withFdSocket)
 import qualified Network.WebSockets as WS
 import Ros.Net.Rpc (connectTo)
 import Ros.SlicedTimeout (delayInSlices, timeoutInSlices)
@@ -35,12 +35,15 @@ import Rosy.Channel (Channel (..), Kind (..))
 import Rosy.Codec
 import Rosy.Core (Topic (..), TopicUse (..))
 import Rosy.Robot (velocityChannel, pattern OdometryMessage)
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
+import Rosy.Robots.Expiry
 import Rosy.Robots.Guardian (guardingSocket)
 import Rosy.Robots.RosbridgeCodec
 import Rosy.Robots.Target
 import Rosy.Sentence
+import System.Posix.Types (Fd (..))
 
 -- | The truth says whether the server is asked for the type of the velocity topic.
 withRosbridge :: String -> Int -> String -> Bool -> [Route] -> (Connection -> IO a) -> IO a
@@ -57,16 +60,16 @@ withRosbridge host port path asksType known use = do
                 let new = filter (`notElem` before) topics
                 writeTVar (ownTopics link) (before ++ new)
                 isConnected <- readTVar (isOpen link)
-                when isConnected (mapM_ (writeTQueue (outgoing link) . Just) (topicFrames new))
+                when isConnected (mapM_ (writeFrame link) (topicFrames new))
               pure [],
-            sendCommand = \a -> do
+            sendCommand = \decided a -> do
               now <- getPOSIXTime
               atomically $ do
                 routes' <- readTVar (currentRoutes link)
                 time <- (realToFrac now +) <$> readTVar (clockOffset link)
-                frame <- stateTVar held (encodeCommand routes' time a)
+                frame <- traverse (stateTVar held . encodeCommand routes' time) (expiring decided a)
                 isConnected <- readTVar (isOpen link)
-                when isConnected (mapM_ (writeTQueue (outgoing link) . Just) frame),
+                when isConnected (writeTQueue (outgoing link) (Just frame)),
             cancelGoals = pure (),
             refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents (hearing link),
@@ -94,8 +97,8 @@ data Link = Link
     plainRoutes :: [Route],
     asksVelocityType :: Bool,
     hearing :: EventQueue,
-    -- | frames to send; nothing ends the connection
-    outgoing :: TQueue (Maybe L.ByteString),
+    -- | frames to send; nothing ends the connection. A robot without wheels has no frame for a velocity
+    outgoing :: TQueue (Maybe (Expiring (Maybe L.ByteString))),
     isOpen :: TVar Bool,
     -- | topics of the program's own
     ownTopics :: TVar [Topic],
@@ -121,10 +124,14 @@ keepConnected host port path link = go firstPause unknownReason
         topics <- atomically (writeTVar (currentRoutes link) (filter (not . isVelocity) (plainRoutes link)) >> writeTVar (isOpen link) True >> readTVar (ownTopics link))
         forM_ (topicFrames topics) (WS.sendTextData c)
         heard <- Heard <$> newTVarIO Map.empty <*> newTVarIO Set.empty <*> newTVarIO False <*> newTVarIO False <*> newTVarIO False
-        sendFrames c `race_` receiveFrames link heard c `race_` renewSilent link heard `race_` steer s heard
-    sendFrames c =
-      atomically (readTQueue (outgoing link)) >>= \case
-        Just frame -> WS.sendTextData c frame >> sendFrames c
+        sendFrames s c `race_` receiveFrames link heard c `race_` renewSilent link heard `race_` steer s heard
+    sendFrames s c = do
+      frame <- atomically (readTQueue (outgoing link))
+      -- What the system does not take yet may expire meanwhile.
+      withFdSocket s (threadWaitWrite . Fd)
+      t <- bootSeconds
+      case frame of
+        Just expiring' -> mapM_ (WS.sendTextData c) (valueAt t expiring') >> sendFrames s c
         Nothing -> WS.sendClose c ("" :: Text) >> delayInSlices flushTimeout -- the answer ends the conversation
     steer s heard = do
       known <- namedRoutes link heard
@@ -132,7 +139,7 @@ keepConnected host port path link = go firstPause unknownReason
       maybe id (guardingSocket s) (stopBytes known) $ do
         atomically $ do
           writeTVar (currentRoutes link) known
-          mapM_ (writeTQueue (outgoing link) . Just) (advertiseFrames (filter isVelocity known))
+          mapM_ (writeFrame link) (advertiseFrames (filter isVelocity known))
           writeTVar (isSteered heard) True
           isHeard <- readTVar (hasOdometry heard)
           when isHeard (becomesPresent link heard)
@@ -146,7 +153,10 @@ isVelocity :: Route -> Bool
 isVelocity r = routeChannel r == velocityChannel
 
 send :: Link -> [L.ByteString] -> IO ()
-send link = atomically . mapM_ (writeTQueue (outgoing link) . Just)
+send link = atomically . mapM_ (writeFrame link)
+
+writeFrame :: Link -> L.ByteString -> STM ()
+writeFrame link = writeTQueue (outgoing link) . Just . lasting . Just
 
 -- | What has been heard on one connection.
 data Heard = Heard

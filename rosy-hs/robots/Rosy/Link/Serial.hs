@@ -10,7 +10,7 @@
 -- arrive first. The base is connected when it has said that its firmware is one that is known here; before that it is sent zero. A base with
 -- other firmware is refused for good. It is lost after 0.3 s without a valid packet, whatever noise arrives meanwhile.
 --
--- A speed that is not renewed within 0.6 s becomes zero here, as in kobuki_node (cmd_vel_timeout), so a program that
+-- A speed that is not renewed in time becomes zero here ("Rosy.Robots.Expiry"), as in kobuki_node (cmd_vel_timeout), so a program that
 -- hangs stops the robot. For a process that is killed or suspended, a guardian process ("Rosy.Robots.Guardian") sends the
 -- stop: whether the base's firmware would stop on its own is documented nowhere.
 module Rosy.Link.Serial
@@ -43,6 +43,7 @@ import Rosy.Robot
 import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
+import Rosy.Robots.Expiry
 import Rosy.Robots.Guardian
 import Rosy.Robots.SerialCodec (readParts)
 import Rosy.Sentence
@@ -53,8 +54,7 @@ import System.Posix.Types (Fd)
 
 -- | Commands for the thread that writes.
 data Setpoints = Setpoints
-  { -- | m/s, rad/s, and the time of the command, monotonic seconds
-    wantedVelocity :: TVar (Double, Double, Double),
+  { wantedVelocity :: TVar (Expiring Action),
     wantedOutputs :: TVar Outputs,
     -- | without power zero velocity is sent
     motorPower :: TVar MotorPower,
@@ -69,15 +69,13 @@ data Setpoints = Setpoints
 withSerial :: FilePath -> (Connection -> IO a) -> IO a
 withSerial device use = do
   hearing <- newEventQueue
-  setpoints <- Setpoints <$> newTVarIO (0, 0, 0) <*> newTVarIO powerOn <*> newTVarIO MotorsOn <*> newTQueueIO <*> newTVarIO False <*> newTVarIO True
+  setpoints <- Setpoints <$> newTVarIO standing <*> newTVarIO powerOn <*> newTVarIO MotorsOn <*> newTQueueIO <*> newTVarIO False <*> newTVarIO True
   let connection =
         Connection
           { connectionName = trWith "the robot at {address}" ["address" =: T.pack device],
             connectionRoutes = pipeRoutes,
             registerTopics = \topics -> pure [trWith "A robot on a serial cable has no topic {topic}." ["topic" =: T.pack (topicName t)] | t <- topics, topicUse t == Taken || T.pack (topicName t) `notElem` map routeTopic (commandRoutes pipeRoutes)],
-            sendCommand = \a -> do
-              t <- bootSeconds
-              atomically (updateSetpoints setpoints t a),
+            sendCommand = \decided a -> atomically (updateSetpoints setpoints decided a),
             cancelGoals = pure (),
             refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents hearing,
@@ -87,12 +85,16 @@ withSerial device use = do
       flush = timeoutInSlices flushTimeout (atomically ((,) <$> readTVar (alive setpoints) <*> readTVar (written setpoints) >>= \(a, w) -> check (not a || w)))
   withAsync (keepOpen device setpoints hearing) (\_ -> use connection `finally` flush)
 
+-- | No movement.
+standing :: Expiring Action
+standing = lasting (VelocityCommand (Velocity 0 0))
+
 updateSetpoints :: Setpoints -> Double -> Action -> STM ()
-updateSetpoints setpoints t a = do
+updateSetpoints setpoints decided a = do
   case a of
-    VelocityCommand (Velocity v w) -> writeTVar (wantedVelocity setpoints) (v, w, t)
+    VelocityCommand _ -> writeTVar (wantedVelocity setpoints) (expiring decided a)
     -- As kobuki_node does: velocities before power is back do not count.
-    MotorPowerCommand p -> writeTVar (motorPower setpoints) p >> writeTVar (wantedVelocity setpoints) (0, 0, 0)
+    MotorPowerCommand p -> writeTVar (motorPower setpoints) p >> writeTVar (wantedVelocity setpoints) standing
     _ -> modifyTVar' (wantedOutputs setpoints) (obeying a) >> mapM_ (writeTQueue (wantedPackets setpoints)) (ownPacket a)
   writeTVar (written setpoints) False
 
@@ -201,18 +203,22 @@ exchangePackets fd setpoints hearing sensing guardian = do
         sendHeartbeat guardian >>= writeIORef guarded
       -- One write per packet, as the driver does.
       reply supported = do
+        -- What the line does not take yet may expire meanwhile.
+        threadWaitWrite fd
         t <- bootSeconds
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
         (bytes, before, o) <- atomically $ do
-          velocity@(v, w, said) <- readTVar (wantedVelocity setpoints)
+          velocity <- readTVar (wantedVelocity setpoints)
           power <- readTVar (motorPower setpoints)
-          let drives = supported && t - said <= commandTimeout && power == MotorsOn
+          let control = case valueAt t velocity of
+                VelocityCommand (Velocity v w) | supported && power == MotorsOn -> baseControl v w
+                _ -> baseControl 0 0
           o <- readTVar (wantedOutputs setpoints)
           packets <- flushTQueue (wantedPackets setpoints)
           pure
             ( B.concat $
-                [if drives then baseControl v w else baseControl 0 0]
+                [control]
                   ++ [outputs o | lastOutputs /= Just o]
                   ++ packets
                   ++ [requestVersions | not known],
@@ -234,10 +240,6 @@ exchangePackets fd setpoints hearing sensing guardian = do
 -- | Packets after which a base that has not said its version is reported: each is answered with the question, two seconds.
 unansweredQuestions :: Int
 unansweredQuestions = 100
-
--- | kobuki_node: cmd_vel_timeout, seconds.
-commandTimeout :: Double
-commandTimeout = 0.6
 
 -- | What has come; nothing at the end of the line.
 readSome :: Fd -> IO ByteString

@@ -67,9 +67,9 @@ data Calls = Calls
 withActions :: ActionCarrier -> Variables -> (Connection -> IO a) -> Connection -> IO a
 withActions carrier variables use plain = do
   calls <- Calls <$> newTVarIO Map.empty <*> newTQueueIO <*> newTVarIO Set.empty <*> newTVarIO Set.empty <*> newTVarIO Set.empty <*> newTVarIO Set.empty
-  let send action = case action of
+  let send decided action = case action of
         RequestAction frame -> mapM_ (carryOut carrier variables plain calls) (readRequest frame)
-        _ -> sendCommand plain action
+        _ -> sendCommand plain decided action
       -- Its server still says how a goal ended.
       cancelAll = do
         goals <- atomically $ do
@@ -145,7 +145,7 @@ carryOut carrier variables plain calls request = case request of
     isOpen <- Map.member ident <$> readTVarIO (open calls)
     when isOpen $ case (named name "", carrier) of
       (Just (action, _), FramesOfRos2) -> sendFrame (CancelGoal ident action)
-      (Just (action, _), TopicsOfActionlib _) -> sendCommand plain (OpenAction (T.unpack action ++ "/cancel") (object ["id" .= ident]))
+      (Just (action, _), TopicsOfActionlib _) -> sendNow plain (pure [OpenAction (T.unpack action ++ "/cancel") (object ["id" .= ident])])
       _ -> pure ()
   CallService ident name kind content -> do
     atomically (modifyTVar' (open calls) (Map.insert ident request))
@@ -155,7 +155,7 @@ carryOut carrier variables plain calls request = case request of
       TopicsOfActionlib True -> sendFrame (CallService ident name (inRos1 kind) content)
       TopicsOfActionlib False -> failed "services are called through a rosbridge server: ws://HOST:9090"
   where
-    sendFrame = sendCommand plain . RequestAction . requestFrame
+    sendFrame frame = sendNow plain (pure [RequestAction (requestFrame frame)])
     overCable = "a robot on a serial cable has no actions and services"
     failed why = atomically (failCall calls why request)
     named name kind
@@ -205,7 +205,7 @@ pursue plain calls failed ident action kind content = do
     give left = do
       isOpen <- Map.member ident <$> readTVarIO (open calls)
       when isOpen $ do
-        sendCommand plain (OpenAction (T.unpack action ++ "/goal") (goalMessage ident content))
+        sendNow plain (pure [OpenAction (T.unpack action ++ "/goal") (goalMessage ident content)])
         isKnown <- await (Set.member ident <$> readTVar (known calls))
         unless isKnown (if left > 0 then give (left - 1) else failedIfOpen "The action server does not answer")
     failedIfOpen why = do

@@ -10,6 +10,7 @@
 module Rosy.Robots.Connection
   ( Connection (..),
     resolveCommand,
+    sendNow,
     RobotEvent (..),
     withoutEvents,
     EventQueue,
@@ -45,6 +46,7 @@ import Rosy.Channel (Action, Channel (..), Kind (..), Message (..))
 import Rosy.Codec (Route, commandTopics, readAction)
 import Rosy.Core (Topic)
 import Rosy.Robot (pattern RobotStatusMessage)
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.UnreadableMessages
 import Rosy.Sentence
 import Rosy.Topic (pattern OpenAction)
@@ -60,8 +62,9 @@ data Connection = Connection
     connectionRoutes :: [Route],
     -- | Subscribes and advertises a program's own topics. Answers a sentence for each that is not possible.
     registerTopics :: [Topic] -> IO [Sentence],
-    -- | Queues a command. Does not block and does not fail; a command that cannot be sent is dropped.
-    sendCommand :: Action -> IO (),
+    -- | Queues a command that was decided at this time, seconds of 'bootSeconds'. Does not block and does not fail; a command that cannot be sent is
+    -- dropped, and a movement that is too old when it is written is sent as zero velocity ("Rosy.Robots.Expiry").
+    sendCommand :: Double -> Action -> IO (),
     -- | Takes back the goals of actions that are under way.
     cancelGoals :: IO (),
     -- | Answers a call of an action or service with a reason instead of carrying it out.
@@ -81,6 +84,12 @@ resolveCommand connection a = case a of
   OpenAction name message
     | Text.pack name `elem` commandTopics (connectionRoutes connection) -> either (const Nothing) Just (readAction (connectionRoutes connection) (Text.pack name) message)
   _ -> Just a
+
+-- | Sends the commands of a decision that is made now. The time is read before: a process may be suspended in between.
+sendNow :: Connection -> STM [Action] -> IO ()
+sendNow connection decide = do
+  t <- bootSeconds
+  atomically decide >>= mapM_ (sendCommand connection t)
 
 data RobotEvent
   = Received Message

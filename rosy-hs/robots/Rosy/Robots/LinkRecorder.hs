@@ -106,7 +106,7 @@ recordLines recorder source text = do
 -- | The same connection, whose commands are recorded.
 recordedConnection :: Recorder -> Connection -> Connection
 recordedConnection recorder connection =
-  connection {sendCommand = \a -> sendCommand connection a >> traverse_ (recordLines recorder ToRobot . Builder.toLazyByteString) (commandLine a)}
+  connection {sendCommand = \t a -> sendCommand connection t a >> traverse_ (recordLines recorder ToRobot . Builder.toLazyByteString) (commandLine a)}
 
 writeEntries :: Recorder -> Output -> IO ()
 writeEntries recorder output = do

@@ -133,7 +133,7 @@ carry run@Lockstep {..} a = do
   drives <- mayBeDriven <$> readTVarIO guarded
   case callsServer a of
     Just frame | not drives -> refuseCall connection frame mayNotDrive
-    _ -> guarding run (onCommand t a) >>= mapM_ (sendCommand connection)
+    _ -> guarding run (onCommand t a) >>= mapM_ (sendCommand connection t)
 
 -- | Sends lines to the program, which may be gone.
 say :: Lockstep -> Builder.Builder -> IO ()
@@ -147,10 +147,11 @@ say Lockstep {..} builder = do
 -- | Messages of an event for the program; notices go to the observer.
 passes :: Lockstep -> RobotEvent -> IO [Message]
 passes run@Lockstep {..} h = do
+  t <- timeNow pace
   wasHere <- isConnected <$> readTVarIO guarded
   case h of
     Disconnected why
-      | wasHere -> onNotice observer (IsLost why) >> timeNow pace >>= \t -> writeIORef lost (Just (t, why))
+      | wasHere -> onNotice observer (IsLost why) >> writeIORef lost (Just (t, why))
       | otherwise -> onNotice observer (IsAwaited why)
     Refused why -> onNotice observer (IsRefused why) >> writeIORef refused (Just why)
     Connected -> do
@@ -161,7 +162,7 @@ passes run@Lockstep {..} h = do
     Misunderstood what -> onNotice observer (IsUnreadable what)
     Received _ -> pure ()
   (ms, actions) <- guarding run (onEvent h)
-  mapM_ (sendCommand connection) actions
+  mapM_ (sendCommand connection t) actions
   unless (null ms) (onMessages observer ms)
   forM_ ms $ \case
     OdometryMessage o -> writeIORef pose (Just (odometryPosition o, odometryOrientation o))
@@ -202,7 +203,7 @@ steps run@Lockstep {..} n early = do
       some <- atomically (takeEvents connection `orElse` pure [])
       arrived <- (early ++) . concat <$> mapM (passes run) some
       (ms, actions) <- guarding run (freshMessages t arrived)
-      mapM_ (sendCommand connection) actions
+      mapM_ (sendCommand connection t) actions
       since <- readIORef beganAt
       watched <- observes observer
       say run (batchLines (StepQuestions (watched && n `mod` tickSteps == 0) watched) n (t - since) ms)
@@ -212,7 +213,7 @@ steps run@Lockstep {..} n early = do
         Nothing -> do
           when (n `mod` tickSteps == 0) $ do
             t' <- timeNow pace
-            guarding run (onTick t') >>= mapM_ (sendCommand connection)
+            guarding run (onTick t') >>= mapM_ (sendCommand connection t')
             drives <- mayBeDriven <$> readTVarIO guarded
             unless drives (cancelGoals connection)
             guarding run (noticeMotion t') >>= mapM_ (motionNotice connection >=> onNotice observer)
@@ -226,7 +227,7 @@ listenToTheEnd run = listen run >>= maybe (listenToTheEnd run) pure
 ended :: Lockstep -> Int -> RunEnd -> IO LockstepResult
 ended run@Lockstep {..} n e = do
   cancelGoals connection
-  guarding run haltWheels >>= mapM_ (sendCommand connection)
+  sendNow connection (stateTVar guarded haltWheels)
   came <- readIORef present
   LockstepResult (if came || e /= Stopped then e else NeverRan) n <$> readIORef pose
 

@@ -173,7 +173,7 @@ runRobotProcess limits target recorder plain (Requests asked) nextProgram write 
           Stop -> stopRun h >> sendHalt h connection
           EmergencyStop -> emergencyStop h connection
           Free -> atomically (writeTVar (stoppedAt h) Nothing >> modifyTVar' (guarded h) arm) >> reportHeld h
-          Safety on -> atomically (stateTVar (guarded h) (setSafetyRules on)) >>= mapM_ (sendCommand connection) >> sendSettings h target
+          Safety on -> sendNow connection (stateTVar (guarded h) (setSafetyRules on)) >> sendSettings h target
           Observe on -> atomically (writeTVar (observed h) on)
           Alive seen -> do
             t <- bootSeconds
@@ -231,14 +231,13 @@ passEvent h connection heard' = do
     Complained what -> sendNotice h (IsComplaining what)
     Misunderstood what -> sendNotice h (IsUnreadable what)
     Received _ -> pure ()
-  actions <- atomically $ do
+  sendNow connection $ do
     (ms, actions) <- stateTVar (guarded h) (onEvent heard')
     actions <$ forM_ ms (modifyTVar' (robotState h) . applyMessage)
-  mapM_ (sendCommand connection) actions
 
 -- | Halts the wheels.
 sendHalt :: RobotProcess -> Connection -> IO ()
-sendHalt h connection = atomically (stateTVar (guarded h) haltWheels) >>= mapM_ (sendCommand connection)
+sendHalt h connection = sendNow connection (stateTVar (guarded h) haltWheels)
 
 -- | Reports when the wheels begin or cease to be held, by the emergency stop or because the robot of a running program was lost.
 reportHeld :: RobotProcess -> IO ()
@@ -342,7 +341,7 @@ superviseOwner abandonLimit' h connection = forever $ do
   silent <- atomically (stateTVar (silentChecks h) (\n -> (n + 1, n + 1)))
   runs <- readTVarIO (isRunning h)
   when runs $ do
-    atomically (stateTVar (guarded h) (setWatched (t - seen < watchTimeout))) >>= mapM_ (sendCommand connection)
+    sendNow connection (stateTVar (guarded h) (setWatched (t - seen < watchTimeout)))
     -- A page that was away for so long does not let the robot drive on by coming back.
     when (t - seen > longestAbsence) (atomically (modifyTVar' (guarded h) disarm))
     when (fromIntegral silent * checkInterval > abandonLimit') (stopRun h >> sendHalt h connection)

@@ -47,6 +47,7 @@ module Ros.Node
     publisher,
     publisherWith,
     publish,
+    publishPicked,
 
     -- * Who is connected
     awaitSubscribers,

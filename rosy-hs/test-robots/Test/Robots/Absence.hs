@@ -1,16 +1,17 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
--- Description : A program on a robot's link that was frozen: what came meanwhile. Time is in the test's hands.
+-- Description : A program on a robot's link that was frozen: what came meanwhile, and what was on its way to the robot. Time is in the test's hands.
 module Test.Robots.Absence (tests) where
 
 import Control.Concurrent.STM
 import Data.Foldable (for_)
-import Rosy.Channel (Message)
+import Rosy.Channel (Action, Message)
 import Rosy.Link (Batch (..), Link (..), noAnswer)
 import Rosy.Link.Real
 import Rosy.Robot
 import Rosy.Robots.Connection
+import Rosy.Robots.Expiry
 import Rosy.Robots.Guard
 import Rosy.Robots.UnreadableMessages (noneUnreadable)
 import Rosy.Sentence (verbatim)
@@ -22,10 +23,19 @@ tests =
   testGroup
     "a program that was frozen"
     [ testCase "does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
-      testCase "hears everything where it was away for a moment only" (afterFreeze longestAbsence @?>= [press, position])
+      testCase "hears everything where it was away for a moment only" (afterFreeze longestAbsence @?>= [press, position]),
+      testCase "may send a movement that is as old as an absence may be, and a stop in place of an older one" $
+        [valueAt (10 + age) (expiring 10 movement) | age <- [0, longestAbsence, longestAbsence + 0.001, 1e6]] @?= [movement, movement, stop, stop],
+      testCase "sends a stop and what moves nothing, however old they are" $
+        [valueAt 1e6 (expiring 10 a) | a <- [stop, light]] @?= [stop, light]
     ]
   where
     act @?>= expected = act >>= (@?= expected)
+
+movement, stop, light :: Action
+movement = VelocityCommand (Velocity 0 0.5)
+stop = VelocityCommand (Velocity 0 0)
+light = Led1Command (Led1 Red)
 
 press, position :: Message
 press = BumperMessage (Bumper CenterBumper Pressed)
@@ -43,7 +53,7 @@ afterFreeze seconds = do
           { connectionName = verbatim "here",
             connectionRoutes = [],
             registerTopics = const (pure []),
-            sendCommand = const (pure ()),
+            sendCommand = \_ _ -> pure (),
             cancelGoals = pure (),
             refuseCall = \_ _ -> pure (),
             takeEvents = swapTVar queued [] >>= \events -> events <$ check (not (null events)),

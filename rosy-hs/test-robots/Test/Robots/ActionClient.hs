@@ -26,19 +26,19 @@ tests =
   testGroup
     "actions and services"
     [ testCase "on ROS 2 a goal is a frame, with the type as ROS 2 writes it and the name of the robot's description" $ do
-        (sent, _) <- calling FramesOfRos2 (\robot _ _ -> sendCommand robot (request dock))
+        (sent, _) <- calling FramesOfRos2 (\robot _ _ -> sendCommand robot 0 (request dock))
         sent @?= [request (SendGoal "rosy-1" "/robot1/dock" "irobot_create_msgs/action/Dock" (object [])), request (CancelGoal "rosy-1" "/robot1/dock")],
       testCase "what the robot does not have, and a cable, are answered" $ do
-        (sent, heard) <- calling FramesOfRos2 (\robot _ _ -> sendCommand robot (request (SendGoal "rosy-1" "undock" "" (object []))))
+        (sent, heard) <- calling FramesOfRos2 (\robot _ _ -> sendCommand robot 0 (request (SendGoal "rosy-1" "undock" "" (object []))))
         (sent, answers heard) @?= ([], [unavailable "undock" "the robot has no such action"])
-        (none, told) <- calling NoCarrier (\robot _ _ -> sendCommand robot (request (CallService "rosy-2" "/add" "my/Add" (object []))))
+        (none, told) <- calling NoCarrier (\robot _ _ -> sendCommand robot 0 (request (CallService "rosy-2" "/add" "my/Add" (object []))))
         (none, length (answers told), length told) @?= ([], 1, 2),
       testCase "a robot that is lost answers what is under way" $ do
-        (_, heard) <- calling FramesOfRos2 (\robot arrive _ -> sendCommand robot (request dock) >> arrive (Disconnected (verbatim "gone")))
+        (_, heard) <- calling FramesOfRos2 (\robot arrive _ -> sendCommand robot 0 (request dock) >> arrive (Disconnected (verbatim "gone")))
         answers heard @?= [unavailable "dock" "gone"],
       testCase "on ROS 1 a goal waits for its server, and is five topics" $ do
         (sent, heard) <- calling (TopicsOfActionlib True) $ \robot arrive sentSoFar -> do
-          sendCommand robot (request count)
+          sendCommand robot 0 (request count)
           arrive (Received (OpenMessage "/count/status" (object ["status_list" .= ([] :: [Value])])))
           -- The server's status is for the client alone.
           nothing <- eventsOf robot
@@ -86,7 +86,7 @@ calling carrier play = do
           { connectionName = verbatim "here",
             connectionRoutes = [],
             registerTopics = const (pure []),
-            sendCommand = \a -> atomically (modifyTVar' sent (a :)),
+            sendCommand = \_ a -> atomically (modifyTVar' sent (a :)),
             cancelGoals = pure (),
             refuseCall = \_ _ -> pure (),
             takeEvents = awaitEvents queue,

@@ -1,3 +1,5 @@
+{-# LANGUAGE PatternSynonyms #-}
+
 -- |
 -- Description : Programs on robots behind rosbridge, on ROS 1 and on a serial line.
 --
@@ -7,13 +9,19 @@ module Test.Robots.Links (tests) where
 
 import Control.Concurrent (threadDelay)
 import Control.Concurrent.Async (withAsync)
+import Control.Concurrent.STM (atomically)
 import Control.Monad (forM_, forever, unless, void)
 import Data.IORef
 import Data.List (isInfixOf, isPrefixOf, nub, transpose)
+import Rosy.Robot (Led1 (..), LedColor (..), Velocity (..), pattern Led1Command, pattern VelocityCommand)
+import Rosy.Robots.BootClock (bootSeconds)
+import Rosy.Robots.Connection
+import Rosy.Robots.Guard (longestAbsence)
 import System.Environment (getExecutablePath)
 import System.Exit (ExitCode (..))
 import System.IO (hFlush, stdout)
 import Test.Robots.Rigs
+import Test.Robots.Same (reached)
 import Test.Ros.Peer
 import Test.Tasty
 import Test.Tasty.HUnit
@@ -37,6 +45,11 @@ tests ready = localOption (mkTimeout 900000000) . withResource (newIORef []) pri
            testGroup
              "a program that was frozen does not drive on by itself"
              [ story ready rig name (standsUntilArmed "stood" frozen)
+               | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy), ("serial", serial)]
+             ],
+           testGroup
+             "a movement that was decided before a freeze is a stop after it"
+             [ story ready rig name decidedBefore
                | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy), ("serial", serial)]
              ],
            testGroup
@@ -376,6 +389,25 @@ frozen r p = do
   _ <- hears (robot r) "stood "
   toldToStand r
   signal p "CONT"
+
+-- | On each link the age counts at the write. The light and the movement behind it show that the old movement's turn is over.
+decidedBefore :: Rig -> IO ()
+decidedBefore r = do
+  streaming r
+  reached r $ \connection -> do
+    awaitConnected connection
+    now <- bootSeconds
+    sendCommand connection (now - longestAbsence - 1) (VelocityCommand (Velocity 0.2 0))
+    sendCommand connection now (Led1Command (Led1 Red))
+    sees r "a red light" (red r)
+    sendCommand connection (now + 1e6) (VelocityCommand (Velocity (-0.1) 0))
+    sees r "a movement of now" (backs r)
+    told <- transcript (robot r)
+    assertBool (unlines told) (not (any (moves r) told))
+  where
+    awaitConnected connection = do
+      events <- atomically (takeEvents connection)
+      unless (Connected `elem` events) (awaitConnected connection)
 
 -- | Its guardian told it so: it does not only stand by its own watchdog.
 toldToStand :: Rig -> IO ()

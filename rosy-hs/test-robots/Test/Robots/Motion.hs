@@ -169,7 +169,7 @@ noting :: Connection -> IO (Connection, IO (Maybe (Double, Double)))
 noting base = do
   news <- newIORef Nothing
   let told a = forM_ (velocityOf a) (writeIORef news . Just)
-  pure (base {sendCommand = \a -> told a >> sendCommand base a}, atomicModifyIORef' news (Nothing,))
+  pure (base {sendCommand = \t a -> told a >> sendCommand base t a}, atomicModifyIORef' news (Nothing,))
 
 -- | Plays a row: the way of the base, one place for each step. The first action sends a packet or its messages, and returns when the program has answered; the second
 -- waits until a new velocity has arrived at the robot.
@@ -244,7 +244,7 @@ overPipe row = do
   heard' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False)
-  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (const (pure ())) (pure ()) (\_ _ -> pure ()) (awaitEvents heard') (unreadableSoFar heard') (pure Nothing))
+  (base, news) <- noting (Connection (verbatim "a robot") [] (const (pure [])) (\_ _ -> pure ()) (pure ()) (\_ _ -> pure ()) (awaitEvents heard') (unreadableSoFar heard') (pure Nothing))
   path <- newIORef []
   let observer = (onTerminal (verbatim "a robot")) {onNotice = const (pure ())}
       pace =

@@ -247,7 +247,7 @@ inPlace (name, main') = do
   hearing' <- newEventQueue
   stop <- newTVarIO False
   guarded <- newTVarIO (newGuard (Limits 0.7 pi (Just (Wheels 0.7 0.23))) False)
-  let base = Connection (verbatim "a robot") [] (const (pure [])) (\a -> atomically (modifyTVar' told (a :))) (pure ()) (\_ _ -> pure ()) (awaitEvents hearing') (unreadableSoFar hearing') (pure Nothing)
+  let base = Connection (verbatim "a robot") [] (const (pure [])) (\_ a -> atomically (modifyTVar' told (a :))) (pure ()) (\_ _ -> pure ()) (awaitEvents hearing') (unreadableSoFar hearing') (pure Nothing)
       observer = (onTerminal (verbatim "a robot")) {onProgramCommand = \a -> atomically (modifyTVar' wishes (a :)), onNotice = const (pure ())}
       pace =
         Pace

@@ -122,8 +122,8 @@ master core = Master (coreMaster core) (ownName (coreNaming core)) (coreUri core
 data Publication = Publication
   { pubOffer :: Offer,
     pubLatched :: Bool,
-    -- | for late subscribers, when latched
-    pubLast :: TVar (Maybe ByteString),
+    -- | for late subscribers, when latched; the bytes are chosen when they are sent
+    pubLast :: TVar (Maybe (IO ByteString)),
     -- | the sequence number of the next message
     pubNext :: TVar Word32,
     pubOutlets :: TVar (Map.Map Int Outlet),
@@ -136,7 +136,8 @@ data Publication = Publication
 data Outlet = Outlet
   { outletPeer :: String,
     outletSocket :: Socket,
-    outletQueue :: Queue ByteString,
+    -- | messages whose bytes are chosen when they are sent
+    outletQueue :: Queue (IO ByteString),
     -- | bytes are on their way to the system
     outletBusy :: TVar Bool,
     -- | what the system did not take of a message

@@ -13,21 +13,24 @@ module Ros.Node.Publish
     openPublication,
     registerPublication,
     publish,
+    publishPicked,
     subscriberCount,
     serveSubscriber,
     drained,
   )
 where
 
+import Control.Concurrent (threadWaitWrite)
 import Control.Concurrent.Async (race_)
 import Control.Concurrent.STM
-import Control.Exception (finally, mask, mask_, onException)
+import Control.Exception (evaluate, finally, mask, mask_, onException)
 import Control.Monad (forM, forM_, unless, void, when)
 import qualified Data.ByteString as B
+import Data.Functor.Identity (Identity (..))
 import qualified Data.Map.Strict as Map
 import Data.Maybe (catMaybes, fromMaybe)
 import Data.Proxy (Proxy (..))
-import Network.Socket (Socket)
+import Network.Socket (Socket, withFdSocket)
 import Network.Socket.ByteString (recv, sendAll, sendMany)
 import Ros.Message (Message (..), RosBinary (..))
 import Ros.Names (Naming (..))
@@ -36,6 +39,7 @@ import Ros.Net.Rpc (sendAtOnce)
 import Ros.Net.Tcpros
 import Ros.Node.Core
 import Ros.Queue
+import System.Posix.Types (Fd (..))
 
 -- | A topic open for messages of one type.
 data Publisher a = Publisher Core Publication
@@ -78,18 +82,25 @@ registerPublication core p =
 
 -- | Sends a message to all who subscribe. Does not wait for them.
 publish :: Message a => Publisher a -> a -> IO ()
-publish (Publisher _ p) message = do
+publish publisher message = publishPicked publisher (pure . runIdentity) (Identity message)
+
+-- | Sends one of several messages to all who subscribe. The action picks it for each of them right before it is sent, so a message that waits
+-- can be replaced when it is too old.
+publishPicked :: (Message a, Traversable f) => Publisher a -> (forall b. f b -> IO b) -> f a -> IO ()
+publishPicked (Publisher _ p) pick messages = do
   n <- atomically (stateTVar (pubNext p) (\i -> (i, i + 1)))
-  let bytes = frame (put (numbered n message))
-  -- Here, so that an error in the message is thrown in the publisher's thread.
-  bytes `seq` mask_ $ do
+  -- Here, so that an error in a message is thrown in the publisher's thread.
+  encoded <- mapM (evaluate . frame . put . numbered n) messages
+  let outgoing = pick encoded
+  mask_ $ do
     free <- atomically $ do
-      when (pubLatched p) (writeTVar (pubLast p) (Just bytes))
+      when (pubLatched p) (writeTVar (pubLast p) (Just outgoing))
       outlets <- readTVar (pubOutlets p)
       fmap catMaybes . forM (Map.elems outlets) $ \o -> do
         idle <- isIdle o
-        if idle then Just o <$ writeTVar (outletBusy o) True else Nothing <$ push (outletQueue o) bytes
+        if idle then Just o <$ writeTVar (outletBusy o) True else Nothing <$ push (outletQueue o) outgoing
     forM_ free $ \o -> do
+      bytes <- outgoing `onException` atomically (writeTVar (outletBusy o) False)
       sent <- sendAtOnce (outletSocket o) bytes
       atomically $ do
         writeTVar (outletRest o) (B.drop sent bytes)
@@ -144,10 +155,10 @@ deliver core s p peer = do
           batch <- atomically $ do
             readTVar (outletBusy outlet) >>= check . not
             rest <- swapTVar (outletRest outlet) B.empty
-            batch <- if B.null rest then popAll (outletQueue outlet) else pure [rest]
+            batch <- if B.null rest then popAll (outletQueue outlet) else pure [pure rest]
             batch <$ writeTVar (outletBusy outlet) True
-          restore (sendMany s batch) `onException` atomically idle
-          atomically (counted outlet (length batch) (sum (map B.length batch)) >> idle)
+          sent <- restore (whenWritable s (sequence batch) >>= \bytes -> bytes <$ sendMany s bytes) `onException` atomically idle
+          atomically (counted outlet (length sent) (sum (map B.length sent)) >> idle)
         writer
       -- A subscriber says nothing; when its side closes, this notices before the next message would.
       untilClosed = recv s 4096 >>= \b -> unless (B.null b) untilClosed
@@ -160,6 +171,10 @@ deliver core s p peer = do
     readTVar (pubLast p) >>= mapM_ (push (outletQueue outlet))
     modifyTVar' (pubOutlets p) (Map.insert n outlet)
   (answer >> pubAround p s (race_ (void writer) untilClosed)) `finally` leave
+
+-- | An action at a moment at which the system takes something for this socket.
+whenWritable :: Socket -> IO a -> IO a
+whenWritable s act = withFdSocket s (threadWaitWrite . Fd) >> act
 
 -- | All that was published has left this program.
 drained :: Core -> STM Bool
