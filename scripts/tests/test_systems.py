@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from sizes import measure, table
-from systems import RELEASES, all_megabytes, minutes_to_start, name_of, suites_for
+from systems import RELEASES, WITH_FILTER, WITHOUT_FILTER, all_megabytes, minutes_to_start, name_of, suites_for
 from testing.bare_system import System, first_error, keyring
 
 from .sandbox import COMPLETE, machine
@@ -122,3 +122,14 @@ def test_a_system_is_made_for_the_processor_of_its_release(
     system = System({"name": "Some 1", "suite": "some", "distribution": "debian", "components": "main", **release}, tmp_path / "root", tmp_path / "log")
     assert "mmdebstrap failed" in system.make(keys)
     assert [part for part in called[0] if part.startswith("--arch")] == expected
+
+
+def test_a_worker_does_without_its_filter_and_has_it_again(tmp_path: Path) -> None:
+    worker = write(tmp_path / "dist-newstyle/build/aarch64-linux/ghc-9.6.6/rosy-1/x/rosy-worker/build/rosy-worker/rosy-worker", 0)
+    worker.write_text('#!/bin/sh\necho "$@"\n')
+    worker.chmod(0o755)
+    said = []
+    for change in ("true", WITHOUT_FILTER, WITH_FILTER):
+        subprocess.run(["sh", "-c", change], cwd=tmp_path, check=True)
+        said.append(subprocess.run([worker, "--fd", "4"], capture_output=True, text=True, check=True).stdout.strip())
+    assert said == ["--fd 4", "--without system-calls --fd 4", "--fd 4"]
