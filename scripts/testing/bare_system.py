@@ -71,6 +71,9 @@ class System:
             '--aptopt=Acquire::Check-Valid-Until "false"',
             f"--include={PREREQUISITES.replace(' ', ',')},sudo,passwd,mount",
         ]
+        # Programs of another processor run in an emulator that the kernel starts (binfmt_misc); without it mmdebstrap says what to install.
+        if architecture := self.release.get("architecture"):
+            command.append(f"--arch={architecture}")
         command += [self.release["suite"], str(self.folder)]
         self.log.unlink(missing_ok=True)
         if self._logged(command) != 0:

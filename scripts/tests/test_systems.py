@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from sizes import measure, table
-from systems import all_megabytes
+from systems import RELEASES, WITH_FILTER, WITHOUT_FILTER, all_megabytes, minutes_to_start, name_of, suites_for
 from testing.bare_system import System, first_error, keyring
 
 from .sandbox import COMPLETE, machine
@@ -93,3 +93,43 @@ def test_the_reason_is_the_first_error_of_apt() -> None:
     log = "I: running apt-get update...\nW: GPG error\nE: The repository 'x' is not signed.\nE: mmdebstrap failed to run\n"
     assert first_error(log) == "The repository 'x' is not signed."
     assert first_error("I: success\n") == ""
+
+
+def test_releases_are_told_apart_by_name_also_for_another_processor() -> None:
+    names = [name_of(release) for release in RELEASES]
+    assert len(set(names)) == len(names)
+    assert {"trixie", "trixie-arm64"} <= set(names)
+
+
+def test_an_emulated_system_has_more_time_and_runs_only_named_suites() -> None:
+    usual, emulated = ({"suite": "trixie"}, {"suite": "trixie", "architecture": "arm64"})
+    assert minutes_to_start(emulated) > minutes_to_start(usual)
+    assert [suites_for(release, named) for release in (usual, emulated) for named in (None, "scripts")] == [None, "scripts", "", "scripts"]
+
+
+@pytest.mark.parametrize(("release", "expected"), [({}, []), ({"architecture": "arm64"}, ["--arch=arm64"])])
+def test_a_system_is_made_for_the_processor_of_its_release(
+    release: dict[str, str], expected: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    called: list[list[str]] = []
+
+    def fails(command: list[str], **_: object) -> subprocess.CompletedProcess[bytes]:
+        called.append(command)
+        return subprocess.CompletedProcess(command, 1)
+
+    monkeypatch.setattr("testing.bare_system.subprocess.run", fails)
+    keys = write(tmp_path / "keys.gpg", 0)
+    system = System({"name": "Some 1", "suite": "some", "distribution": "debian", "components": "main", **release}, tmp_path / "root", tmp_path / "log")
+    assert "mmdebstrap failed" in system.make(keys)
+    assert [part for part in called[0] if part.startswith("--arch")] == expected
+
+
+def test_a_worker_does_without_its_filter_and_has_it_again(tmp_path: Path) -> None:
+    worker = write(tmp_path / "dist-newstyle/build/aarch64-linux/ghc-9.6.6/rosy-1/x/rosy-worker/build/rosy-worker/rosy-worker", 0)
+    worker.write_text('#!/bin/sh\necho "$@"\n')
+    worker.chmod(0o755)
+    said = []
+    for change in ("true", WITHOUT_FILTER, WITH_FILTER):
+        subprocess.run(["sh", "-c", change], cwd=tmp_path, check=True)
+        said.append(subprocess.run([worker, "--fd", "4"], capture_output=True, text=True, check=True).stdout.strip())
+    assert said == ["--fd 4", "--without system-calls --fd 4", "--fd 4"]

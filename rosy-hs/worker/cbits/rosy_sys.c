@@ -6,6 +6,7 @@
  */
 #define _GNU_SOURCE
 #include "rosy_sys.h"
+#include "rosy_pages.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -392,6 +393,12 @@ void rosy_compact_end(void) {
   rosy_area_clear();
 }
 
+/* Gives back the pages that lie wholly between two addresses. */
+static void clear_pages(char *begin, char *end) {
+  uintptr_t first = (uintptr_t)begin, behind = (uintptr_t)end;
+  if (rosy_whole_pages(&first, &behind, (uintptr_t)sysconf(_SC_PAGESIZE))) madvise((void *)first, behind - first, MADV_DONTNEED);
+}
+
 /*
  * Gives back the pages of the allocation area in which nothing stands. A child that is forked later gets pages of zeros there when it
  * needs them, which is quicker than copies of what is not read any more.
@@ -402,7 +409,7 @@ void rosy_area_clear(void) {
   while (block) {
     char *begin = (char *)block->start, *end = begin;
     for (; block && (char *)block->start == end; block = block->link) end += BLOCK_SIZE;
-    madvise(begin, end - begin, MADV_DONTNEED);
+    clear_pages(begin, end);
   }
 }
 
@@ -423,7 +430,7 @@ static bdescr *take_free(bool clear) {
       W_ before = mblocks_allocated;
       bdescr *group = allocGroup_lock(size);
       is_new = mblocks_allocated != before;
-      if (clear && !is_new) madvise(group->start, group->blocks * BLOCK_SIZE, MADV_DONTNEED);
+      if (clear && !is_new) clear_pages((char *)group->start, (char *)group->start + group->blocks * BLOCK_SIZE);
       group->link = taken;
       taken = group;
     }

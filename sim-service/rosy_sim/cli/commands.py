@@ -32,7 +32,7 @@ from ..sentences.sentence import tr
 from ..sentences.terminal_text import escape_json, neutralize_line
 from ..sentences.wording import in_terminal
 from ..wire.problem import Problem, is_complete
-from ..worker.native_build import build_program
+from ..worker.native_build import build_program, refuse_other_processor
 from .checked_worker import started_worker, warn_without_sandbox
 from .output import flush_output, print_error, print_note, print_problem, print_sentence, print_text
 from .parser import options_parser
@@ -205,6 +205,8 @@ def _print_problems(file: Path, problems: Sequence[Problem]) -> None:
 
 def _build(config: Config, options: argparse.Namespace) -> int:
     """A native program, of what the worker would run."""
+    if options.processor:
+        refuse_other_processor(options.processor, options.file, options.output)
     program = read_program(options.file, options.encoding)
     with started_worker(config) as worker:
         worker.ready()

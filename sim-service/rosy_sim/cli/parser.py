@@ -15,6 +15,7 @@ from ..recordings.command import add_replay_options
 from ..rooms.command import add_options
 from ..sentences.sentence import tr
 from ..sentences.usage_errors import usage_error
+from ..worker.native_build import PROCESSORS
 
 __all__ = ["options_parser"]
 
@@ -50,6 +51,7 @@ def options_parser() -> argparse.ArgumentParser:
     build = commands.add_parser("build", prog="rosy build", add_help=False, allow_abbrev=False)
     build.add_argument("file", type=Path)
     build.add_argument("-o", dest="output", type=Path, required=True, metavar="BIN")
+    build.add_argument("--for", dest="processor", choices=tuple(PROCESSORS.values()))
     lsp = commands.add_parser("lsp", prog="rosy lsp", add_help=False, allow_abbrev=False)
     # Editors add it to name the transport; there is no other one.
     lsp.add_argument("--stdio", action="store_true")

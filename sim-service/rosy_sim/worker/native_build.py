@@ -6,7 +6,9 @@ The program must have passed the worker's check. Intermediate files go into a fo
 
 from __future__ import annotations
 
+import platform
 import re
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -17,7 +19,10 @@ from ..errors import BadInput, WorkerMissing
 from ..sentences.sentence import tr
 from ..sentences.wording import in_terminal
 
-__all__ = ["build_program", "is_native"]
+__all__ = ["PROCESSORS", "build_program", "is_native", "refuse_other_processor"]
+
+PROCESSORS = {"x86_64": "amd64", "aarch64": "arm64"}
+"""Debian's names of the kinds of processor that Rosy is for, by those that uname(2) reports."""
 
 _ARCHIVES = ("libgmp.a", "libffi.a", "libz.a")
 """Libraries that a robot's computer need not have, also where the C library cannot become a part of the file."""
@@ -31,6 +36,27 @@ Warnings of the linker about functions that load a library of the machine. Of ho
 heeds; the others are of functions of GHC's libraries that no built program calls (users, groups, loading code). The
 note follows each of them in newer versions of the linker.
 """
+
+
+def refuse_other_processor(wanted: str, source: Path, output: Path) -> None:
+    """
+    GHC, as Debian and Ubuntu package it, makes code only for the kind of processor that it runs on.
+
+    Raises:
+        BadInput: ``wanted``, one of the values of ``PROCESSORS``, is another kind.
+    """
+    here = platform.machine()
+    here = PROCESSORS.get(here, here)
+    if wanted != here:
+        command = shlex.join(["./rosy", "build", str(source), "-o", str(output)])
+        raise BadInput(
+            tr(
+                "Here GHC makes programs for {here} only. On a computer with {wanted} that has Rosy, type: {command}",
+                here=here,
+                wanted=wanted,
+                command=command,
+            )
+        )
 
 
 def build_program(root: Path, source: str, output: Path) -> int:

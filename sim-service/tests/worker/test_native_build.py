@@ -217,3 +217,26 @@ def test_a_program_with_a_mistake_is_not_built(tmp_path: Path, capsys: pytest.Ca
     assert main(["build", str(program), "-o", str(binary)]) == 1
     assert f"{program}:1:" in capsys.readouterr().out
     assert not binary.exists()
+
+
+@pytest.mark.parametrize(("machine", "here", "wanted"), [("x86_64", "amd64", "arm64"), ("aarch64", "arm64", "amd64")])
+def test_a_program_for_another_processor_is_refused_with_what_to_do(
+    machine: str,
+    here: str,
+    wanted: str,
+    tmp_path: Path,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("platform.machine", lambda: machine)
+    binary = tmp_path / "walk"
+    assert main(["build", "my walk.hs", "-o", str(binary), "--for", wanted]) == 1
+    said = capsys.readouterr().err
+    assert f"for {here} only" in said
+    assert wanted in said
+    assert f"./rosy build 'my walk.hs' -o {binary}" in said
+
+
+def test_the_processor_that_is_here_may_be_named(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("platform.machine", lambda: "aarch64")
+    native_build.refuse_other_processor("arm64", Path("walk.hs"), Path("walk"))

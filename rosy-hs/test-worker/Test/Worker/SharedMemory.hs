@@ -1,6 +1,8 @@
+{-# LANGUAGE ForeignFunctionInterface #-}
+
 -- |
 -- Module      : Test.Worker.SharedMemory
--- Description : Properties of the decoder of the shared page: any content yields harmless text.
+-- Description : Properties of the decoder of the shared page: any content yields harmless text. Which pages of free memory are given back.
 module Test.Worker.SharedMemory (tests) where
 
 import qualified Data.ByteString as ByteString
@@ -8,6 +10,10 @@ import Data.Char (isPrint)
 import qualified Data.Text as Text
 import Data.Text.Encoding (encodeUtf8)
 import Data.Word (Word8)
+import Foreign.C.Types (CInt (..))
+import Foreign.Marshal.Utils (with)
+import Foreign.Ptr (Ptr, WordPtr (..))
+import Foreign.Storable (peek)
 import Rosy.Worker.SharedMemory
 import Test.Tasty (TestTree, testGroup)
 import Test.Tasty.HUnit (testCase, (@?=))
@@ -27,8 +33,34 @@ word n = ByteString.pack [fromIntegral (n `div` 256 ^ i) | i <- [0 .. 3 :: Int]]
 number :: Gen Int
 number = oneof [elements [0, 1, 3, 4, 5, 4091, 4092, 4093, 4096, 0x7fffffff, 0x80000000, 0xffffffff], choose (0, 5000), choose (0, 0xffffffff)]
 
+-- | @rosy_pages.h@: where the whole pages of a range begin and end; 'Nothing' when there is none.
+wholePages :: Word -> (Word, Word) -> IO (Maybe (Word, Word))
+wholePages page (begin, end) =
+  with (WordPtr begin) $ \first -> with (WordPtr end) $ \behind -> do
+    found <- c_wholePages first behind (WordPtr page)
+    WordPtr from <- peek first
+    WordPtr to <- peek behind
+    pure (if found == 0 then Nothing else Just (from, to))
+
+foreign import ccall unsafe "rosy_whole_pages" c_wholePages :: Ptr WordPtr -> Ptr WordPtr -> WordPtr -> IO CInt
+
 tests :: TestTree
-tests =
+tests = testGroup "shared and free memory" [pageOfAProgram, freePages]
+
+freePages :: TestTree
+freePages =
+  testGroup
+    "free blocks of 4 kB"
+    [ testCase "are given back where pages are as large" $
+        wholePages 0x1000 (0x5000, 0x7000) >>= (@?= Just (0x5000, 0x7000)),
+      testCase "are given back in pages of 16 kB that hold no other block" $
+        wholePages 0x4000 (0x5000, 0xf000) >>= (@?= Just (0x8000, 0xc000)),
+      testCase "stay where they fill no page" $
+        wholePages 0x4000 (0x4000, 0x7000) >>= (@?= Nothing)
+    ]
+
+pageOfAProgram :: TestTree
+pageOfAProgram =
   testGroup
     "the page of a program"
     [ testProperty "a name is read back" $ \(PrintableString name) ->
