@@ -15,7 +15,7 @@ export function ProblemCard({finding}: {finding: Finding}): VNode {
   const document = usePageState(s => s.document)
   const idle = nothingRuns(document, finding)
   const fixes = [
-    ...(idle === undefined ? [] : [idle.fix]),
+    ...(idle?.fixes ?? []),
     ...finding.fixes,
     ...conflictFixes(document, finding),
   ]
