@@ -1,6 +1,7 @@
 /// The page can be seen and used by everybody: contrast, names and roles, by axe-core (WCAG 2.2 A and AA), in light and in dark.
 
 import {expect, type Page} from "@playwright/test"
+import {boxAtRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
 import {faults} from "./page_faults.ts"
 import {test} from "./story.ts"
@@ -58,6 +59,24 @@ for (const colorScheme of ["light", "dark"] as const) {
       await look(`the tab ${await tab.textContent()}`, ".tabs")
     }
     await learner.stops()
+  })
+}
+
+for (const viewport of [
+  {width: 1366, height: 768},
+  {width: 1280, height: 800},
+]) {
+  test(`a notice moves nothing below it, at ${viewport.width} × ${viewport.height}`, async ({page}) => {
+    await page.setViewportSize(viewport)
+    // A link that leads nowhere is said in a notice.
+    await page.goto("/?example=nowhere")
+    const notice = page.getByTestId("notice")
+    await expect(notice).toBeVisible()
+    const room = page.getByRole("region", {name: "Room"}).locator("canvas")
+    const saidAt = await boxAtRest(room)
+    await notice.getByRole("button", {name: "Close"}).click()
+    await expect(notice).toHaveCount(0)
+    expect(await boxAtRest(room)).toEqual(saidAt)
   })
 }
 

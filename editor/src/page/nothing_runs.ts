@@ -1,4 +1,4 @@
-/// A program in which `simulate` runs nothing: what the page says in place of an empty socket, and the fix that runs a function of the program. Pure.
+/// A program in which `simulate` runs nothing: what the page says in place of an empty socket, and the fix that runs a function of the program, if it has one. Pure.
 
 import {referenceTo} from "@rosy/codegen"
 import type {Document} from "../program/history.ts"
@@ -7,10 +7,10 @@ import {words} from "../words/index.ts"
 
 export interface NothingRuns {
   readonly message: string
-  readonly fix: Fix
+  readonly fixes: readonly Fix[]
 }
 
-/// For a finding about the empty place of a `simulate` that runs nothing else, if there is something to run.
+/// For a finding about the empty place of a `simulate` that runs nothing else, with something to run or without.
 export function nothingRuns(
   {workspace, program}: Pick<Document, "workspace" | "program">,
   finding: Pick<Finding, "kind" | "range" | "block">,
@@ -28,14 +28,13 @@ export function nothingRuns(
     ({name, block}) =>
       name !== "main" && referenceTo(workspace, {block: main.block, input: "R0"}, block).fits,
   )
-  if (runnable === undefined) return undefined
+  if (runnable === undefined) return {message: words.nothingToRun, fixes: []}
   const {name} = runnable
   const start = main.start + hole[0].length
   return {
     message: words.nothingRuns(name),
-    fix: {
-      title: words.runIt(name),
-      edits: [{start, end: main.start + text.trimEnd().length, text: name}],
-    },
+    fixes: [
+      {title: words.runIt(name), edits: [{start, end: main.start + text.trimEnd().length, text: name}]},
+    ],
   }
 }

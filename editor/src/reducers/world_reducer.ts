@@ -51,7 +51,7 @@ export function reduceWorldEvent(state: PageState, event: WorldEvent): Transitio
       const others = state.companions.filter((_, i) => i !== event.companion)
       if (world === null || run !== null) return still(state)
       const isTaken = !isFreePlace(world, event.place, others)
-      // A notice moves the room below the hand that drags.
+      // Before it is dropped the hand may still take it to a free place.
       const notice = event.isDropped ? noticed(state.notice, isTaken, words.companions.taken) : state.notice
       if (isTaken) return still({...state, notice})
       const companions = state.companions.map((one, i) =>

@@ -55,3 +55,19 @@ test("an answer of any type is offered an own type last, until the program has i
   expect(after).toContainEqual({type: "construct", extraState: {con: "Knock", args: 0}})
   expect(after.map(block => block.type)).not.toContain("data")
 })
+
+test("a definition is offered to itself after all else that fits", () => {
+  const workspace = codegen.newWorkspace()
+  const answer = {id: "f", type: "define", extraState: {name: "f", as: "event", arity: 1, equations: [{}]}}
+  const blocks = [...workspace.blocks.blocks, answer]
+  const now = {...workspace, blocks: {...workspace.blocks, blocks}}
+  const categories = codegen.toolbox("reactions").map(category => ({
+    ...category,
+    items: category.items.filter(({block}) => block.type !== "data"),
+  }))
+  const labels = suggest(codegen.session(), now, {block: "f", input: "E0_0"}, categories).map(
+    item => item.label,
+  )
+  expect(labels.indexOf("f")).toBe(labels.length - 1)
+  expect(labels.length).toBeGreaterThan(5)
+})

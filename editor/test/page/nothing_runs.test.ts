@@ -28,7 +28,8 @@ function offered(text: string) {
   const {document} = readHaskell(reader, "x", text)
   const hole = document.findings.find(f => f.kind === "hole")
   const found = hole === undefined ? undefined : nothingRuns(document, hole)
-  return found && {...found, after: applyChanges(text, fixChanges(found.fix, text.length))}
+  const fix = found?.fixes[0]
+  return found && {...found, fix, after: fix && applyChanges(text, fixChanges(fix, text.length))}
 }
 
 it.each([
@@ -39,12 +40,17 @@ it.each([
 ])("%s", (text, name) => {
   const found = offered(text)
   expect(found?.message).toBe(`Nothing runs yet. Run \`${name}\`?`)
-  expect(found?.fix.title).toBe(`Run ${name}`)
+  expect(found?.fix?.title).toBe(`Run ${name}`)
   expect(found?.after).toBe(text.replace(/simulate _\w*/, `simulate ${name}`))
 })
 
+it.each([main, double + main])("a program without anything that could run is told to get it: %s", text => {
+  const found = offered(text)
+  expect(found?.message).toBe("Nothing runs yet. Choose a block for `simulate`, then press Run.")
+  expect(found?.fixes).toEqual([])
+})
+
 it.each([
-  ["there is nothing that could run", double + main],
   ["something runs", driveOn + main.replace("_", "driveOn")],
   ["something else runs beside the empty place", driveOn + backOff + main.replace("_", "(driveOn, _)")],
   [

@@ -5,7 +5,7 @@ import type {Words} from "../../../editor/src/words/index.ts"
 export const challenges: Words["challenges"] = {
   title: "Missionen",
   lead: "Ein Ziel, bis zu drei Sterne. Dein bester Lauf zählt.",
-  loading: "Die Missionen werden geholt…",
+  loading: "Die Missionen werden geholt …",
   failed:
     "Die Missionen konnten nicht geladen werden. Rosys Dienst antwortet nicht; versuche es gleich noch einmal.",
   number: n => `Mission ${n}`,

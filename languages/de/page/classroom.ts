@@ -20,7 +20,7 @@ export const classroom: Words["classroom"] = {
   without: "Ohne die Klasse",
   privacy:
     "Deine Programme und dein Stand in den Lektionen werden auf dem Rechner deiner Lehrkraft gespeichert, unter diesem Spitznamen. Sonst wird nichts gespeichert.",
-  noConnection: "Der Rechner deiner Lehrkraft ist nicht zu erreichen. Neuer Versuch…",
+  noConnection: "Der Rechner deiner Lehrkraft ist nicht zu erreichen. Neuer Versuch …",
   refused: {
     code: "Das ist nicht der Code der Klasse. Schau noch einmal, was deine Lehrkraft zeigt.",
     words:
@@ -52,7 +52,7 @@ export const classroom: Words["classroom"] = {
   myWords: "Meine Wörter",
   saved: {
     saved: "In der Klasse gespeichert",
-    saving: "Wird gespeichert…",
+    saving: "Wird gespeichert …",
     full: "Nicht in der Klasse gespeichert: Ihr Platz ist voll. Deine Arbeit bleibt in diesem Browser.",
     disk: "Das Speichern wartet: Die Platte der Klasse ist voll. Sag es deiner Lehrkraft. Deine Arbeit bleibt in diesem Browser.",
     database:
@@ -135,7 +135,7 @@ export const classroom: Words["classroom"] = {
     lead: "Gib den Schlüssel der Lehrkraft ein. Er steht im Terminal, in dem Rosy gestartet wurde.",
     key: "Schlüssel der Lehrkraft",
     open: "Tafel öffnen",
-    lost: "Keine Verbindung zu Rosy. Neuer Versuch…",
+    lost: "Keine Verbindung zu Rosy. Neuer Versuch …",
     store: {
       disk: "Jetzt kann nichts gespeichert werden: Die Platte der Klasse ist voll oder defekt. Schaffe dort Platz. Die Programme bleiben in den Browsern und werden noch einmal gesendet.",
       database:

@@ -17,7 +17,7 @@ const spins = "Drehen, was ausgewählt ist; mit Umschalt ein wenig"
 export const keys: Words["keys"] = {
   title: "Tasten",
   lead: "Was du ohne Maus tun kannst.",
-  menu: "Tasten…",
+  menu: "Tasten …",
   or: "oder",
   sections: {page: "Überall", blocks: "Blöcke", text: "Haskell", room: "Raum"},
   names: {

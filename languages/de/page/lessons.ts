@@ -9,7 +9,7 @@ const measure = (value: number | null) => komma(Math.abs(value ?? 0), 2)
 export const lessons: Words["lessons"] = {
   title: "Lektionen",
   lead: "Kurze Lektionen mit je einer neuen Idee. Du machst weiter, wo du warst.",
-  loading: "Die Lektionen werden geholt…",
+  loading: "Die Lektionen werden geholt …",
   failed:
     "Die Lektionen konnten nicht geladen werden. Rosys Dienst antwortet nicht; versuche es gleich noch einmal.",
   missing: (name: string) => `Es gibt keine Lektion mit dem Namen ${name}.`,

@@ -150,6 +150,7 @@ export const page: Omit<
     "Control character": "Unsichtbares Zeichen",
   },
   showIt: "Zeig es mir",
+  nothingToRun: "Noch läuft nichts. Wähle einen Block für `simulate` und drücke dann auf Start.",
   nothingRuns: name => `Noch läuft nichts. \`${name}\` laufen lassen?`,
   runIt: name => `${name} laufen lassen`,
   readMore: "Mehr lesen",
@@ -164,10 +165,10 @@ export const page: Omit<
   saveFile: "Als Datei speichern",
   saveHaskell: "Das Haskell speichern",
   share: {
-    menu: "Teilen oder drucken…",
+    menu: "Teilen oder drucken …",
     title: "Teilen",
     lead: "Der Link enthält das ganze Programm und seinen Raum. Nichts wird hochgeladen.",
-    making: "Der Link entsteht…",
+    making: "Der Link entsteht …",
     reach: {
       network:
         "Die Adresse dieser Seite führt nur zu diesem Computer. Der Link hat stattdessen seine Adresse im Netz: Andere dort können ihn öffnen, solange Rosy hier läuft.",
@@ -334,7 +335,7 @@ export const page: Omit<
     name: "Sicherheitsregeln",
     on: "Die Sicherheitsregeln sind an: Der Roboter weicht vor Wänden und Löchern zurück, bevor dein Programm weiterfährt, hier und auf echten Robotern",
     off: "Die Sicherheitsregeln sind aus: Nur dein Programm fährt, hier und auf echten Robotern",
-    overrides: "Sicherheitsregeln: weicht zurück…",
+    overrides: "Sicherheitsregeln: weicht zurück …",
     tookOver: "Die Sicherheitsregeln übernehmen: weicht zurück",
   },
   blocked: {

@@ -6,7 +6,7 @@ import {measuresOf} from "../../../editor/src/words/number_formats.ts"
 const {short, seconds, metres, count} = measuresOf("de")
 
 export const roomTests: Words["roomTests"] = {
-  menu: "In vielen Räumen testen…",
+  menu: "In vielen Räumen testen …",
   title: "In vielen Räumen testen",
   lead: "Klappt dein Programm in Räumen, die es noch nie gesehen hat?",
   hold: "Das soll in jedem Raum gelten:",
@@ -33,7 +33,7 @@ export const roomTests: Words["roomTests"] = {
   noProperty: "Wähle etwas, das gelten soll.",
   noConnection: "Rosy ist nicht verbunden. Es versucht es von selbst wieder.",
   lost: "Die Verbindung ist weg und mit ihr der Test. Versuche es noch einmal.",
-  waiting: "Der Test beginnt…",
+  waiting: "Der Test beginnt …",
   queued: place => `Andere testen gerade. Dein Platz in der Schlange ist ${place}.`,
   progress: (done, rooms, passed) => `${done} von ${rooms} Räumen, ${passed} bestanden`,
   shrinking: tried =>

@@ -11,7 +11,7 @@ export const why: typeof english = {
   back: "Zurück",
   backHint: "Zurück zur Frage davor",
   close: "Antwort schließen",
-  asking: "Einen Moment…",
+  asking: "Einen Moment …",
   noRun: "Drücke erst auf Start. Dann kannst du fragen.",
   asked: {
     motion: "Warum bewegt er sich so?",

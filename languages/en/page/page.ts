@@ -136,6 +136,7 @@ export const page = {
     "Control character": "Invisible character",
   },
   showIt: "Show it",
+  nothingToRun: "Nothing runs yet. Choose a block for `simulate`, then press Run.",
   nothingRuns: (name: string) => `Nothing runs yet. Run \`${name}\`?`,
   runIt: (name: string) => `Run ${name}`,
   readMore: "Read more",

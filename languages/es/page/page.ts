@@ -156,6 +156,7 @@ export const page: Omit<
     "Control character": "Carácter invisible",
   },
   showIt: "Mostrar dónde",
+  nothingToRun: "Todavía no se ejecuta nada. Elige un bloque para `simulate` y pulsa Ejecutar.",
   nothingRuns: name => `Todavía no se ejecuta nada. ¿Ejecutar \`${name}\`?`,
   runIt: name => `Ejecutar ${name}`,
   readMore: "Leer más",

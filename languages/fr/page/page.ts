@@ -160,6 +160,7 @@ export const page: Omit<
     "Control character": "Caractère invisible",
   },
   showIt: "Montre-moi",
+  nothingToRun: "Rien ne s’exécute encore. Choisis un bloc pour `simulate`, puis appuie sur Démarrer.",
   nothingRuns: name => `Rien ne s’exécute encore. Exécuter \`${name}\` ?`,
   runIt: name => `Exécuter ${name}`,
   readMore: "En savoir plus",

@@ -150,6 +150,7 @@ export const page: Omit<
     "Control character": "Caractere invisível",
   },
   showIt: "Mostrar",
+  nothingToRun: "Nada é executado ainda. Escolha um bloco para `simulate` e pressione Executar.",
   nothingRuns: name => `Nada é executado ainda. Executar \`${name}\`?`,
   runIt: name => `Executar ${name}`,
   readMore: "Ler mais",

@@ -14,11 +14,7 @@ export function ProblemCard({finding}: {finding: Finding}): VNode {
   const controller = useController()
   const document = usePageState(s => s.document)
   const idle = nothingRuns(document, finding)
-  const fixes = [
-    ...(idle === undefined ? [] : [idle.fix]),
-    ...finding.fixes,
-    ...conflictFixes(document, finding),
-  ]
+  const fixes = [...(idle?.fixes ?? []), ...finding.fixes, ...conflictFixes(document, finding)]
   const list = fixes.length > 0 && <FixList fixes={fixes} drops={finding.conflict !== undefined} />
   const place = finding.block !== null || finding.range !== null
   const more = guidePageOfProblem(finding.kind)

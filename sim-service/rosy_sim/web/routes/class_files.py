@@ -94,11 +94,17 @@ class ClassFiles:
         return failure(tr("This is not the teacher's key."), 403)
 
 
-async def _board(_request: Request) -> Response:
+async def _board(request: Request) -> Response:
     """The teacher's board. A browser keeps the key behind the ``#`` when it is redirected."""
-    return RedirectResponse("./board.html")
+    return _page("./board.html", request)
 
 
-async def _projector(_request: Request) -> Response:
+async def _projector(request: Request) -> Response:
     """The page for the projector, which the board opens."""
-    return RedirectResponse("./projector.html")
+    return _page("./projector.html", request)
+
+
+def _page(address: str, request: Request) -> Response:
+    """To a page, with what the address asks of it, such as its language."""
+    query = request.url.query
+    return RedirectResponse(f"{address}?{query}" if query else address)

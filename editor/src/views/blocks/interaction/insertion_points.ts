@@ -147,7 +147,8 @@ export function scopeItems(names: readonly InScope[] | undefined): Blockly.utils
 const mostSuggestions = 14
 
 /// Names and ready blocks that fit at a place: first the names, those that run already behind the others, then what is of the family that the socket wants. For
-/// `simulate` the ready-made pieces come next, definitions too: steps first where the level begins with tasks. Last is a new own type, where its constructor fits.
+/// `simulate` the ready-made pieces come next, definitions too: steps first where the level begins with tasks. The definition that the place is in comes after
+/// them: to call itself is seldom meant. Last is a new own type, where its constructor fits.
 export function suggest(
   session: Session,
   workspace: SavedWorkspace,
@@ -156,9 +157,11 @@ export function suggest(
 ): readonly ToolboxItem[] {
   const fitting = session.namesInScope(workspace, place).filter(name => name.fits)
   const running = "block" in place ? namesThatRun(workspace, place.block) : []
+  const around = definitionAround(workspace, "block" in place ? place.block : place.below)
+  const others = fitting.filter(({name}) => name !== around)
   const names = [
-    ...fitting.filter(({name}) => !running.includes(name)),
-    ...fitting.filter(({name}) => running.includes(name)),
+    ...others.filter(({name}) => !running.includes(name)),
+    ...others.filter(({name}) => running.includes(name)),
   ]
   const wanted: Family | undefined =
     "below" in place
@@ -189,6 +192,7 @@ export function suggest(
     seen.add(key)
     if (takes(check, place, item.block)) found.push(item)
   }
+  found.push(...fitting.filter(({name}) => name === around).map(nameItem))
   const ownType = ordered
     .flatMap(category => category.items)
     .find(item => item.block.type === "data" && session.referenceTo(workspace, place, item.block).fits)
@@ -223,6 +227,16 @@ function isDefined(workspace: SavedWorkspace, {block}: ToolboxItem): boolean {
     (block.type === "define" || block.type === "data") &&
     workspace.blocks.blocks.some(b => b.extraState?.name === name)
   )
+}
+
+/// The name of the definition on the canvas that a block is part of.
+function definitionAround(workspace: SavedWorkspace, id: string): unknown {
+  return workspace.blocks.blocks.find(block => isPartOf(block, id))?.extraState?.name
+}
+
+function isPartOf(block: SavedBlock, id: string): boolean {
+  const parts = [...Object.values(block.inputs ?? {}), ...(block.next === undefined ? [] : [block.next])]
+  return block.id === id || parts.some(part => part.block !== undefined && isPartOf(part.block, id))
 }
 
 /// Whether a block fits at a place, as it is or as the only step of a task.
