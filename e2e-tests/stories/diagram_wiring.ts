@@ -86,8 +86,13 @@ abstract class DiagramHands implements Wiring {
     await expect(form).toBeHidden()
   }
 
+  /// What is asked of a new wire.
+  protected asked(): Locator {
+    return diagram(this.page).locator("form.diagram-ask")
+  }
+
   private async answers({name, remembers, joins}: Answers): Promise<void> {
-    const form = diagram(this.page).locator("form.diagram-ask")
+    const form = this.asked()
     await expect(form).toBeVisible()
     if (remembers !== undefined) {
       await form.getByRole("combobox", {name: "What it remembers"}).selectOption(remembers)
@@ -108,6 +113,13 @@ abstract class DiagramHands implements Wiring {
 
 /// Wires are dragged.
 export class DiagramMouse extends DiagramHands {
+  /// The palettes of an empty program fold when its first wire is drawn, so what is drawn is waited for.
+  override async connects(from: End, to: End, answers: Answers = {}): Promise<void> {
+    await super.connects(from, to, answers)
+    if (answers.name !== undefined)
+      await expect(node(this.page, new RegExp(`^${answers.name}: (function|event)`))).toBeVisible()
+  }
+
   async adds(task: string): Promise<void> {
     await this.unfolds("Steps")
     const step = diagram(this.page)
@@ -123,8 +135,12 @@ export class DiagramMouse extends DiagramHands {
     this.actions++
   }
 
+  /// A node that moves below the hand, to make place for the wire before, is taken once more.
   protected async joins(from: End, to: End): Promise<void> {
-    await drags(this.page, await this.end(from), await this.end(to))
+    await expect(async () => {
+      await drags(this.page, await this.end(from), await this.end(to))
+      await expect(this.asked()).toBeVisible({timeout: 5_000})
+    }).toPass()
     this.actions++
   }
 

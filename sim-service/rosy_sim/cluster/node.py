@@ -165,12 +165,14 @@ def start_node(config: Config, options: argparse.Namespace, output: Callable[[st
         raise BadInput(tr("--processes must be between 1 and 256."))
     # Not by Ray's script, which names an interpreter by the path where it was installed.
     command = [sys.executable, "-m", "ray.scripts.scripts", "start", "--block", "--disable-usage-stats"]
-    command += ["--num-cpus", str(processes)]
+    # No client is shown what tasks print (`connection.py`), so nothing is to read it.
+    command += ["--num-cpus", str(processes), "--include-log-monitor", "false"]
     host = options.host or next(iter(lan_addresses()), "127.0.0.1")
     address = options.address or f"{host}:{port}"
     if options.address is None:
         _make_token()
-        command += ["--head", "--port", str(port), "--include-dashboard", "false"]
+        # Machines join by the command, so nothing is to add and remove them.
+        command += ["--head", "--port", str(port), "--include-dashboard", "false", "--no-monitor"]
     else:
         command += ["--address", address]
     if options.host is not None or options.address is None:
