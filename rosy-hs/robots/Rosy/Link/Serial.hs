@@ -158,6 +158,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
   identified <- newIORef False
   firmware <- newIORef Nothing
   guarded <- newIORef True
+  heartbeatAt <- bootSeconds >>= newIORef
   packetCount <- newTVarIO (0 :: Int)
   let go = do
         b <- readSome fd
@@ -200,18 +201,22 @@ exchangePackets fd setpoints hearing sensing guardian = do
             unless was (enqueue hearing Connected >> enqueue hearing (Received (RobotStatusMessage Online)))
             mapM_ (enqueue hearing . Received) messages
         reply supported
+        -- Before the heartbeat: this process may be suspended in between.
+        beating <- bootSeconds
         sendHeartbeat guardian >>= writeIORef guarded
+        writeIORef heartbeatAt beating
       -- One write per packet, as the driver does.
       reply supported = do
         -- What the line does not take yet may expire meanwhile.
         threadWaitWrite fd
+        heartbeat <- readIORef heartbeatAt
         t <- bootSeconds
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
         (bytes, before, o) <- atomically $ do
           velocity <- readTVar (wantedVelocity setpoints)
           power <- readTVar (motorPower setpoints)
-          let control = case valueAt t velocity of
+          let control = case valueAt heartbeat t velocity of
                 VelocityCommand (Velocity v w) | supported && power == MotorsOn -> baseControl v w
                 _ -> baseControl 0 0
           o <- readTVar (wantedOutputs setpoints)
