@@ -175,15 +175,6 @@ exchangePackets fd setpoints hearing sensing guardian = do
               -- Nothing may drive without a guardian: the stop goes out before the line is closed.
               _ | not isGuarded -> Interrupted (tr "its guardian process has ended") <$ writeAll fd (baseControl 0 0)
               _ -> go
-      -- Counts valid packets: noise is no sign of life.
-      watch = do
-        before <- readTVarIO packetCount
-        came <- timeoutInSlices silenceTimeout (atomically (readTVar packetCount >>= check . (/= before)))
-        when (isNothing came) . atomically $ do
-          now <- readTVar packetCount
-          was <- readTVar (alive setpoints)
-          when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected (tr "it has fallen silent")))
-        watch
       packet' parts = do
         let feedback = readFeedback parts
         -- The first supported version stands: a corrupted packet whose checksum holds must not refuse a base that is driven.
@@ -237,10 +228,20 @@ exchangePackets fd setpoints hearing sensing guardian = do
           later <- readTVar (wantedOutputs setpoints)
           none <- isEmptyTQueue (wantedPackets setpoints)
           when (now == before && later == o && none) (writeTVar (written setpoints) True)
-  either id id <$> race go watch
+  either id id <$> race go (watchPackets setpoints hearing packetCount)
   where
     isSupported (Version major _ _) = major == 1
     showVersion (Version a b c) = show a ++ "." ++ show b ++ "." ++ show c
+
+-- | Reports a base as silent. Counts valid packets: noise is no sign of life.
+watchPackets :: Setpoints -> EventQueue -> TVar Int -> IO a
+watchPackets setpoints hearing packetCount = forever $ do
+  before <- readTVarIO packetCount
+  came <- timeoutInSlices silenceTimeout (atomically (readTVar packetCount >>= check . (/= before)))
+  when (isNothing came) . atomically $ do
+    now <- readTVar packetCount
+    was <- readTVar (alive setpoints)
+    when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected (tr "it has fallen silent")))
 
 -- | Packets after which a base that has not said its version is reported: each is answered with the question, two seconds.
 unansweredQuestions :: Int

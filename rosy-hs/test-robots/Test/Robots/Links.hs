@@ -44,7 +44,7 @@ tests ready = localOption (mkTimeout 300000000) . withResource (newIORef []) pri
              [story ready rig name (cutOff times) | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy)]],
            testGroup
              "a program that was frozen does not drive on by itself"
-             [ story ready rig name (standsUntilArmed "marked" frozen)
+             [ story ready rig name (standsUntilArmed "stood" frozen)
                | (name, rig) <- [("rosbridge on ROS 1", rosbridge "1"), ("rosbridge on ROS 2", rosbridge "2"), ("ROS 1", rospy), ("serial", serial)]
              ],
            testGroup
@@ -388,9 +388,6 @@ frozen r p = do
   signal p "STOP"
   _ <- hears (robot r) "stood "
   toldToStand r
-  -- A robot that is slow to read says that it stood before it has read all that came before the freeze.
-  say (robot r) "mark"
-  _ <- hears (robot r) "marked"
   signal p "CONT"
 
 -- | On each link the age counts at the write. The light and the movement behind it show that the old movement's turn is over.
