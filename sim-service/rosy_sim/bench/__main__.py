@@ -1,6 +1,6 @@
 """
 ``python -m rosy_sim.bench simulator [--pages N ...] [--seconds S] [--profile]``, ``recovery [--rounds N]``,
-``memory``, ``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``,
+``memory``, ``day [--pupils N] [--rounds HOURS]``, ``class [--pupils N] [--seconds S]``, ``recording [--seconds S]``,
 ``attacks [--seconds S] [--only WORDS] [--small]``, and
 ``cluster [--programs N] [--rooms N] [--pupils N] [--seconds S] [--rounds N]``.
 """
@@ -13,7 +13,7 @@ import sys
 
 from ..config import discover
 from ..errors import RosyError
-from . import class_board, lockstep, pages, previews, recording, recovery, resting, world
+from . import class_board, class_day, lockstep, pages, previews, recording, recovery, resting, world
 from .attacks import under_attack
 from .cluster import report as cluster
 from .programs import MOVE, PATROL, SPEED_UP
@@ -27,7 +27,9 @@ _ON_PAGES = {"a task with pauses": PATROL, "the default rate": MOVE, "a function
 def main() -> int:
     """Print the tables."""
     parser = argparse.ArgumentParser(prog="python -m rosy_sim.bench")
-    parser.add_argument("name", choices=["simulator", "recovery", "class", "attacks", "recording", "cluster", "memory"])
+    parser.add_argument(
+        "name", choices=["simulator", "recovery", "class", "attacks", "recording", "cluster", "memory", "day"]
+    )
     parser.add_argument("--pages", type=int, nargs="*", default=[50, 100, 150, 200])
     parser.add_argument("--seconds", type=float, default=10.0)
     parser.add_argument("--runs", type=int, help="programs at once; the other pages wait (default: all drive)")
@@ -35,7 +37,7 @@ def main() -> int:
     parser.add_argument("--small", action="store_true", help="attacks of few pages on few, each once")
     parser.add_argument("--profile", action="store_true", help="say where the service's time goes")
     parser.add_argument("--pupils", type=int, default=30, help="of the class")
-    parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind, or windows of time")
+    parser.add_argument("--rounds", type=int, default=3, help="deaths of each kind, windows of time, or hours")
     parser.add_argument("--programs", type=int, default=40, help="that a cluster tests")
     parser.add_argument("--rooms", type=int, default=50, help="in which each of them is tested")
     options = parser.parse_args()
@@ -53,6 +55,9 @@ def main() -> int:
             return 0 if under_attack.report(config, options.seconds, options.only, options.small) else 1
         if options.name == "cluster":
             return cluster.report(options)
+        if options.name == "day":
+            class_day.report(config, options.pupils, options.rounds)
+            return 0
         if options.name == "class":
             late = class_board.report(config, options.pupils, options.seconds)
             print(f"  in time (99 % of the steps less than {pages.IN_TIME * 1e3:.0f} ms late): {late < pages.IN_TIME}")

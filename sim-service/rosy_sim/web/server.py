@@ -23,7 +23,6 @@ from functools import partial
 
 import uvicorn
 import uvloop
-from starlette.applications import Starlette
 from starlette.routing import BaseRoute
 from starlette.types import ASGIApp, Receive, Scope, Send
 
@@ -39,6 +38,7 @@ from ..worker.launcher import missing_sandbox, sandbox_warning
 from .app import build_app
 from .browser_safety import own_names
 from .lan_addresses import is_unspecified, lan_addresses
+from .memory_shortage import MemoryShortage
 from .pacing.paced_frames import paced_frames
 from .pacing.request_deadline import RequestDeadline
 from .public_address import public_names
@@ -116,9 +116,11 @@ def serve(
         greet = _Greeting(address, addresses() if is_shared else None, code, admission, config.simulator_address).print
         if announce is not None:
             greet = partial(_announced, announce, bound, admission, address)
-        server = _Server(_settings(app, config), greet, open_browser)
+        shortage = MemoryShortage()
+        server = _Server(_settings(shortage.around(app), config), greet, open_browser)
         app.state.service.end = server.end
         with asyncio.Runner(loop_factory=uvloop.new_event_loop) as runner:
+            shortage.watch(runner.get_loop())
             runner.run(_serve(server, listener))
         if server.fault is not None:
             raise BadInput(server.fault)
@@ -132,7 +134,7 @@ def _announced(
     return address
 
 
-def _settings(app: Starlette, config: Config) -> uvicorn.Config:
+def _settings(app: ASGIApp, config: Config) -> uvicorn.Config:
     return uvicorn.Config(
         _without_cancellations(app),
         log_level="warning",

@@ -43,7 +43,7 @@ import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.DynamicMessage
 import Rosy.Robots.Expiry
-import Rosy.Robots.Guardian (guardingSocket)
+import Rosy.Robots.Guardian (guardingSocket, lastHeartbeat, newHeartbeats)
 import Rosy.Robots.RosbridgeCodec (strangeVelocity, velocityAt, velocityRoute)
 import Rosy.Robots.Target (odometryTopic)
 import Rosy.Robots.UnreadableMessages (Unreadable (..))
@@ -220,14 +220,15 @@ senderOwn t = case someSymbolVal (topicType t) of
 sender :: Route -> Node (Expiring Action -> IO ())
 sender r = case someSymbolVal (T.unpack (routeType r)) of
   SomeSymbol (_ :: Proxy name) -> do
+    heartbeats <- liftIO newHeartbeats
     let messageAt time = Aeson.decode . encodingToLazyByteString . velocityAt r time . encode r :: [Field] -> Maybe Aeson.Value
         Action wheels atRest = VelocityCommand (Velocity 0 0)
         -- Each base that listens to velocities has a guardian.
         guarded socket = case messageAt 0 atRest of
-          Just stop | routeChannel r == wheels -> guardingSocket socket (frame (put (DynamicMessage stop :: DynamicMessage name)))
+          Just stop | routeChannel r == wheels -> guardingSocket heartbeats socket (frame (put (DynamicMessage stop :: DynamicMessage name)))
           _ -> id
     publisher' <- publisherWith publisherOptions {latched = routeLatched r, aroundSubscriber = guarded} (T.unpack (routeTopic r)) :: Node (Publisher (DynamicMessage name))
     pure $ \command -> do
       now <- getPOSIXTime
       forM_ (traverse (\(Action _ fields) -> DynamicMessage <$> messageAt (realToFrac now) fields) command) $ \message ->
-        publishPicked publisher' (\e -> (`valueAt` e) <$> bootSeconds) message
+        publishPicked publisher' (\e -> (\heartbeat t -> valueAt heartbeat t e) <$> lastHeartbeat heartbeats <*> bootSeconds) message

@@ -39,7 +39,7 @@ import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Robots.Connection
 import Rosy.Robots.ConnectionError (explainConnectionError)
 import Rosy.Robots.Expiry
-import Rosy.Robots.Guardian (guardingSocket)
+import Rosy.Robots.Guardian (Heartbeats, guardingSocket, lastHeartbeat, newHeartbeats)
 import Rosy.Robots.RosbridgeCodec
 import Rosy.Robots.Target
 import Rosy.Sentence
@@ -49,7 +49,7 @@ import System.Posix.Types (Fd (..))
 withRosbridge :: String -> Int -> String -> Bool -> [Route] -> (Connection -> IO a) -> IO a
 withRosbridge host port path asksType known use = do
   held <- newTVarIO nothingHeld
-  link <- Link known asksType <$> newEventQueue <*> newTQueueIO <*> newTVarIO False <*> newTVarIO [] <*> newTVarIO noLevels <*> newTVarIO known <*> newTVarIO 0
+  link <- Link known asksType <$> newEventQueue <*> newTQueueIO <*> newTVarIO False <*> newTVarIO [] <*> newTVarIO noLevels <*> newTVarIO known <*> newTVarIO 0 <*> newHeartbeats
   let connection =
         Connection
           { connectionName = trWith "the robot at {address}" ["address" =: T.pack ("ws://" ++ host ++ ":" ++ show port ++ path)],
@@ -106,7 +106,8 @@ data Link = Link
     -- | with the topic and type of velocities that the server has named; without velocities until the robot may be driven
     currentRoutes :: TVar [Route],
     -- | what the robot's clock is ahead of ours by, seconds, as its odometry says
-    clockOffset :: TVar Double
+    clockOffset :: TVar Double,
+    heartbeats :: Heartbeats
   }
 
 keepConnected :: String -> Int -> String -> Link -> IO ()
@@ -129,14 +130,15 @@ keepConnected host port path link = go firstPause unknownReason
       frame <- atomically (readTQueue (outgoing link))
       -- What the system does not take yet may expire meanwhile.
       withFdSocket s (threadWaitWrite . Fd)
+      heartbeat <- lastHeartbeat (heartbeats link)
       t <- bootSeconds
       case frame of
-        Just expiring' -> mapM_ (WS.sendTextData c) (valueAt t expiring') >> sendFrames s c
+        Just expiring' -> mapM_ (WS.sendTextData c) (valueAt heartbeat t expiring') >> sendFrames s c
         Nothing -> WS.sendClose c ("" :: Text) >> delayInSlices flushTimeout -- the answer ends the conversation
     steer s heard = do
       known <- namedRoutes link heard
       -- The robot may be driven from here on: its velocity topic is known and a guardian has the socket.
-      maybe id (guardingSocket s) (stopBytes known) $ do
+      maybe id (guardingSocket (heartbeats link) s) (stopBytes known) $ do
         atomically $ do
           writeTVar (currentRoutes link) known
           mapM_ (writeFrame link) (advertiseFrames (filter isVelocity known))

@@ -158,6 +158,7 @@ exchangePackets fd setpoints hearing sensing guardian = do
   identified <- newIORef False
   firmware <- newIORef Nothing
   guarded <- newIORef True
+  heartbeatAt <- bootSeconds >>= newIORef
   packetCount <- newTVarIO (0 :: Int)
   let go = do
         b <- readSome fd
@@ -174,15 +175,6 @@ exchangePackets fd setpoints hearing sensing guardian = do
               -- Nothing may drive without a guardian: the stop goes out before the line is closed.
               _ | not isGuarded -> Interrupted (tr "its guardian process has ended") <$ writeAll fd (baseControl 0 0)
               _ -> go
-      -- Counts valid packets: noise is no sign of life.
-      watch = do
-        before <- readTVarIO packetCount
-        came <- timeoutInSlices silenceTimeout (atomically (readTVar packetCount >>= check . (/= before)))
-        when (isNothing came) . atomically $ do
-          now <- readTVar packetCount
-          was <- readTVar (alive setpoints)
-          when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected (tr "it has fallen silent")))
-        watch
       packet' parts = do
         let feedback = readFeedback parts
         -- The first supported version stands: a corrupted packet whose checksum holds must not refuse a base that is driven.
@@ -200,18 +192,22 @@ exchangePackets fd setpoints hearing sensing guardian = do
             unless was (enqueue hearing Connected >> enqueue hearing (Received (RobotStatusMessage Online)))
             mapM_ (enqueue hearing . Received) messages
         reply supported
+        -- Before the heartbeat: this process may be suspended in between.
+        beating <- bootSeconds
         sendHeartbeat guardian >>= writeIORef guarded
+        writeIORef heartbeatAt beating
       -- One write per packet, as the driver does.
       reply supported = do
         -- What the line does not take yet may expire meanwhile.
         threadWaitWrite fd
+        heartbeat <- readIORef heartbeatAt
         t <- bootSeconds
         known <- readIORef identified
         lastOutputs <- readIORef sentOutputs
         (bytes, before, o) <- atomically $ do
           velocity <- readTVar (wantedVelocity setpoints)
           power <- readTVar (motorPower setpoints)
-          let control = case valueAt t velocity of
+          let control = case valueAt heartbeat t velocity of
                 VelocityCommand (Velocity v w) | supported && power == MotorsOn -> baseControl v w
                 _ -> baseControl 0 0
           o <- readTVar (wantedOutputs setpoints)
@@ -232,10 +228,20 @@ exchangePackets fd setpoints hearing sensing guardian = do
           later <- readTVar (wantedOutputs setpoints)
           none <- isEmptyTQueue (wantedPackets setpoints)
           when (now == before && later == o && none) (writeTVar (written setpoints) True)
-  either id id <$> race go watch
+  either id id <$> race go (watchPackets setpoints hearing packetCount)
   where
     isSupported (Version major _ _) = major == 1
     showVersion (Version a b c) = show a ++ "." ++ show b ++ "." ++ show c
+
+-- | Reports a base as silent. Counts valid packets: noise is no sign of life.
+watchPackets :: Setpoints -> EventQueue -> TVar Int -> IO a
+watchPackets setpoints hearing packetCount = forever $ do
+  before <- readTVarIO packetCount
+  came <- timeoutInSlices silenceTimeout (atomically (readTVar packetCount >>= check . (/= before)))
+  when (isNothing came) . atomically $ do
+    now <- readTVar packetCount
+    was <- readTVar (alive setpoints)
+    when (was && now == before) (writeTVar (alive setpoints) False >> enqueue hearing (Disconnected (tr "it has fallen silent")))
 
 -- | Packets after which a base that has not said its version is reported: each is answered with the question, two seconds.
 unansweredQuestions :: Int

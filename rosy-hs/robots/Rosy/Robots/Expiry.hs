@@ -5,15 +5,14 @@
 -- Module      : Rosy.Robots.Expiry
 -- Description : Time to live of a movement on its way to the robot.
 --
--- In: a command and the time at which it was decided ('Rosy.Robots.BootClock.bootSeconds'). Out: what is written at the time of writing: the
--- command, or zero velocity for a movement that is too old. A process can be suspended, or its computer sleep, between a decision of the
+-- In: a command, the time at which it was decided ('Rosy.Robots.BootClock.bootSeconds'), and the time of the guardian's last heartbeat. Out: what is written
+-- at the time of writing: the command, or zero velocity for a movement if either is too long ago. A process can be suspended, or its computer sleep, between a decision of the
 -- guard and the write; the guardian has stopped the robot meanwhile, and the movement would start it again. Each link asks 'valueAt' right before its write.
 -- Pure; time is an argument.
 module Rosy.Robots.Expiry
   ( Expiring,
     lasting,
     expiring,
-    hasExpired,
     valueAt,
   )
 where
@@ -38,12 +37,8 @@ expiring decided a = case a of
   where
     still = Velocity 0 0
 
--- | Whether the value does not count any more at this time.
-hasExpired :: Double -> Expiring a -> Bool
-hasExpired t (Expiring _ until') = maybe False ((t >) . fst) until'
-
--- | What counts at this time.
-valueAt :: Double -> Expiring a -> a
-valueAt t e@(Expiring a until') = case until' of
-  Just (_, afterwards) | hasExpired t e -> afterwards
+-- | What counts at a time, when the last heartbeat was at this one: a guardian that has heard none for longer may have stopped the robot.
+valueAt :: Double -> Double -> Expiring a -> a
+valueAt heartbeat t (Expiring a until') = case until' of
+  Just (end, afterwards) | t > end || t - heartbeat > longestAbsence -> afterwards
   _ -> a

@@ -12,6 +12,9 @@ module Rosy.Robots.Guardian
   ( Guardian,
     withGuardian,
     sendHeartbeat,
+    Heartbeats,
+    newHeartbeats,
+    lastHeartbeat,
     guardingSocket,
     heartbeatTimeout,
   )
@@ -23,6 +26,7 @@ import Control.Exception (bracket)
 import Control.Monad (unless)
 import Data.ByteString (ByteString)
 import qualified Data.ByteString.Unsafe as B
+import Data.IORef
 import Data.Word (Word8)
 import Foreign.C.Error (throwErrnoIfMinus1)
 import Foreign.C.Types (CInt (..))
@@ -30,6 +34,7 @@ import Foreign.Marshal.Alloc (alloca)
 import Foreign.Ptr (Ptr, castPtr)
 import Foreign.Storable (peek)
 import Network.Socket (Socket, unsafeFdSocket)
+import Rosy.Robots.BootClock (bootSeconds)
 import Rosy.Sentence
 import System.Posix.Types (Fd (..))
 
@@ -53,14 +58,28 @@ withGuardian (Fd line) stop = bracket start end
 sendHeartbeat :: Guardian -> IO Bool
 sendHeartbeat (Guardian _ heartbeat) = (== 0) <$> c_beat heartbeat
 
+-- | When the guardians of a robot's sockets last had a heartbeat, seconds of 'bootSeconds'.
+newtype Heartbeats = Heartbeats (IORef Double)
+
+-- | There was none yet.
+newHeartbeats :: IO Heartbeats
+newHeartbeats = Heartbeats <$> newIORef 0
+
+lastHeartbeat :: Heartbeats -> IO Double
+lastHeartbeat (Heartbeats at) = readIORef at
+
 -- | An action with a guardian of its socket, which has a heartbeat from here. An error when the guardian ends before the action: nothing drives without one.
-guardingSocket :: Socket -> ByteString -> IO a -> IO a
-guardingSocket socket stop act = do
+guardingSocket :: Heartbeats -> Socket -> ByteString -> IO a -> IO a
+guardingSocket (Heartbeats at) socket stop act = do
   fd <- unsafeFdSocket socket
+  bootSeconds >>= writeIORef at
   withGuardian (Fd fd) stop $ \guardian -> either id id <$> race act (beats guardian)
   where
     beats guardian = do
+      -- Before the heartbeat: this process may be suspended in between.
+      t <- bootSeconds
       isThere <- sendHeartbeat guardian
+      writeIORef at t
       unless isThere (ioError (userError (portable (tr "its guardian process has ended"))))
       threadDelay heartbeatPause
       beats guardian

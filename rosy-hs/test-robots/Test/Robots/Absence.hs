@@ -25,9 +25,11 @@ tests =
     [ testCase "does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
       testCase "hears everything where it was away for a moment only" (afterFreeze longestAbsence @?>= [press, position]),
       testCase "may send a movement that is as old as an absence may be, and a stop in place of an older one" $
-        [valueAt (10 + age) (expiring 10 movement) | age <- [0, longestAbsence, longestAbsence + 0.001, 1e6]] @?= [movement, movement, stop, stop],
+        [valueAt (10 + age) (10 + age) (expiring 10 movement) | age <- [0, longestAbsence, longestAbsence + 0.001, 1e6]] @?= [movement, movement, stop, stop],
+      testCase "sends a stop in place of a new movement when its guardian may have stopped the robot" $
+        [valueAt heartbeat 10 (expiring 10 movement) | heartbeat <- [10, 10 - longestAbsence, 10 - longestAbsence - 0.001, 0]] @?= [movement, movement, stop, stop],
       testCase "sends a stop and what moves nothing, however old they are" $
-        [valueAt 1e6 (expiring 10 a) | a <- [stop, light]] @?= [stop, light]
+        [valueAt 10 1e6 (expiring 10 a) | a <- [stop, light]] @?= [stop, light]
     ]
   where
     act @?>= expected = act >>= (@?= expected)
