@@ -27,14 +27,13 @@ abstract class DiagramHands implements Wiring {
 
   async connects(from: End, to: End, answers: Answers = {}): Promise<void> {
     await this.joins(from, to)
-    await this.answers(answers)
-    // A new function has its equation to be written at once; it is written when all wires are there.
-    if (answers.name !== undefined && !to.startsWith("function")) {
-      const equation = this.editor(answers.name)
-      await expect(equation).toBeVisible()
-      await this.page.keyboard.press("Escape")
-      await expect(equation).toBeHidden()
-    }
+    // What has one meaning and no name is made without a question.
+    if (Object.keys(answers).length > 0) await this.answers(answers)
+    // A function without an example has its equation to be written at once; it is written when all wires are there.
+    const equation = this.editor(answers.name ?? "")
+    if ((await equation.count()) === 0) return
+    await this.page.keyboard.press("Escape")
+    await expect(equation).toBeHidden()
   }
 
   async writes(name: string, text: string): Promise<void> {
@@ -45,14 +44,6 @@ abstract class DiagramHands implements Wiring {
   async defines(_name: string, text: string): Promise<void> {
     await this.presses(diagram(this.page).getByRole("button", {name: "New definition"}))
     await this.fills(diagram(this.page).getByRole("form", {name: "New definition"}), text)
-  }
-
-  /// Writes what a new function sends into its first empty place.
-  async sends(name: string, answer: string): Promise<void> {
-    await expect(this.editor(name)).toBeVisible()
-    await this.page.keyboard.type(answer)
-    await this.finishes(this.editor(name))
-    this.actions++
   }
 
   abstract adds(task: string): Promise<void>
@@ -87,7 +78,7 @@ abstract class DiagramHands implements Wiring {
   }
 
   private async answers({name, remembers, joins}: Answers): Promise<void> {
-    const form = diagram(this.page).locator("form.diagram-ask")
+    const form = diagram(this.page).locator("form.diagram-ask:not(.definition)")
     await expect(form).toBeVisible()
     if (remembers !== undefined) {
       await form.getByRole("combobox", {name: "What it remembers"}).selectOption(remembers)
@@ -101,8 +92,8 @@ abstract class DiagramHands implements Wiring {
       await form.getByRole("radio", {name: /^Either:/}).check()
       this.actions++
     }
-    await this.presses(form.getByRole("button", {name: "Connect"}))
-    await expect(form.getByRole("button", {name: "Connect"})).toBeHidden()
+    await this.presses(form.getByRole("button", {name: /^(Connect|Done)$/}))
+    await expect(form).toBeHidden()
   }
 }
 
