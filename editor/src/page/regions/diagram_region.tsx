@@ -1,7 +1,7 @@
 /// The diagram region: drawing or list, and what can be done with it.
 
 import type {CSSProperties, JSX, VNode} from "preact"
-import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
 import {QuestionButtons} from "../../features/why/why_panel.tsx"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {nodeQuestions} from "../../values/node_questions.ts"
@@ -58,7 +58,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
-  const {outcome} = usePageState(s => s.diagram)
+  const {outcome, chosen} = usePageState(s => s.diagram)
   // What is computed is shown as it was reported last; functions and tasks as the text has them, unless it is broken.
   const isStale = usePageState(
     s =>
@@ -72,6 +72,10 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [refused, setRefused] = useState<string | null>(null)
   const [definition, setDefinition] = useState<AskedDefinition | null>(null)
   const isAlone = usePageState(isOnlyView)
+  // Who goes on to a node has named what was made.
+  useEffect(() => {
+    if (chosen !== null) setAsked(now => (now !== null && now.madeText !== null ? null : now))
+  }, [chosen])
   const {palette, keepOpen} = usePalettes(outcome === "empty")
   const offer = (proposal: Proposal & {kind: "offered"}, at: Point) => {
     if (!isMadeAtOnce(proposal)) return setAsked({proposal, at, madeText: null})
