@@ -72,7 +72,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [refused, setRefused] = useState<string | null>(null)
   const [definition, setDefinition] = useState<AskedDefinition | null>(null)
   const isAlone = usePageState(isOnlyView)
-  // Who goes on to a node has named what was made.
+  // Choosing a node ends the question about what was made.
   useEffect(() => {
     if (chosen !== null) setAsked(now => (now !== null && now.madeText !== null ? null : now))
   }, [chosen])
