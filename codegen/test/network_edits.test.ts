@@ -409,3 +409,13 @@ test("random edits of the examples change the meant definitions alone, and every
   }
   expect(made).toBeGreaterThan(2 * exampleTexts.length)
 })
+
+test("a memory of a synonym has the name that the program gives it, also where it is written at times", () => {
+  const text =
+    "type Hit = Bool\n\nbump :: Bumper -> Maybe (Memory Hit)\nbump _ = Just (Memory True)\n\nmain = simulate bump\n"
+  const {functions} = writtenNetwork(workspaceOf(openView(reader, text)))
+  expect(functions.find(({name}) => name === "bump")?.output).toMatchObject({
+    kind: "maybe",
+    of: {kind: "type", written: "Memory Hit"},
+  })
+})
