@@ -61,14 +61,14 @@ describe("an edit writes what a person would write", () => {
       "a sensor connected to an actuator",
       empty,
       [{kind: "connect-sensor-to-actuator", sensor: "Bumper", actuator: "Velocity", name: "backOff"}],
-      "backOff :: Bumper -> Velocity\nbackOff (Bumper side status) = _\n\nmain :: IO ()\nmain = simulate backOff\n",
+      "backOff :: Bumper -> Maybe Velocity\nbackOff (Bumper _ Pressed) = Just (Velocity (-0.2) 0)\nbackOff (Bumper _ Released) = Nothing\n\nmain :: IO ()\nmain = simulate backOff\n",
     ],
     [
       "the tick connected to an actuator, beside another function",
       reflex,
       [{kind: "connect-sensor-to-actuator", sensor: "()", actuator: "Led1", name: "shine"}],
       reflex
-        .replace("main ::", "shine :: Led1\nshine = _\n\nmain ::")
+        .replace("main ::", "shine :: Led1\nshine = Led1 Red\n\nmain ::")
         .replace("simulate backOff", "simulate (backOff, shine)"),
     ],
     [
@@ -100,6 +100,55 @@ describe("an edit writes what a person would write", () => {
       reflex
         .replace("Bumper -> Velocity", "Bumper -> Memory Bool -> (Velocity, Memory Bool)")
         .replace("(Bumper _ _) = Velocity (-0.2) 0", "(Bumper _ _) (Memory bool) = (Velocity (-0.2) 0, _)"),
+    ],
+    [
+      "a bump that is remembered, and a light that shows it",
+      empty,
+      [
+        {kind: "connect-sensor-to-actuator", sensor: "Bumper", actuator: "Memory Bool", name: "bump"},
+        {kind: "connect-sensor-to-actuator", sensor: "Memory Bool", actuator: "Led1", name: "shine"},
+      ],
+      `bump :: Bumper -> Maybe (Memory Bool)
+bump (Bumper _ Pressed) = Just (Memory True)
+bump _ = Nothing
+
+shine :: Memory Bool -> Led1
+shine (Memory True) = Led1 Red
+shine (Memory False) = Led1 Black
+
+main :: IO ()
+main = simulate (bump, shine)
+`,
+    ],
+    [
+      "an event that is sent where the function sends anything",
+      `onBump :: Bumper -> Maybe Sound
+onBump (Bumper _ Pressed) = Just ErrorSound
+onBump _ = Nothing
+
+shine :: Led1
+shine = Led1 Red
+
+main = simulate (onBump, shine)
+`,
+      [{kind: "connect-functions", from: "onBump", to: "shine", event: "Hit", as: "all"}],
+      `onBump :: Bumper -> Maybe (Sound, Hit)
+onBump (Bumper _ Pressed) = Just (ErrorSound, Hit)
+onBump _ = Nothing
+
+shine :: Hit -> Led1
+shine Hit = Led1 Red
+
+data Hit = Hit
+
+main = simulate (onBump, shine)
+`,
+    ],
+    [
+      "a memory beside another one that is written at times",
+      "bump :: Bumper -> Maybe (Memory Bool)\nbump (Bumper _ Pressed) = Just (Memory True)\nbump _ = Nothing\n\nmain = simulate bump\n",
+      [{kind: "add-output", function: "bump", type: "Memory Int"}],
+      "bump :: Bumper -> Maybe (Memory Bool, Memory Int)\nbump (Bumper _ Pressed) = Just (Memory True, _)\nbump _ = Nothing\n\nmain = simulate bump\n",
     ],
     [
       "two functions connected by a new event",
@@ -359,4 +408,14 @@ test("random edits of the examples change the meant definitions alone, and every
     }
   }
   expect(made).toBeGreaterThan(2 * exampleTexts.length)
+})
+
+test("a memory of a synonym has the name that the program gives it, also where it is written at times", () => {
+  const text =
+    "type Hit = Bool\n\nbump :: Bumper -> Maybe (Memory Hit)\nbump _ = Just (Memory True)\n\nmain = simulate bump\n"
+  const {functions} = writtenNetwork(workspaceOf(openView(reader, text)))
+  expect(functions.find(({name}) => name === "bump")?.output).toMatchObject({
+    kind: "maybe",
+    of: {kind: "type", written: "Memory Hit"},
+  })
 })

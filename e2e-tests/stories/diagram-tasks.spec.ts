@@ -25,7 +25,6 @@ test("by mouse: two states and the arrow back, and a third one in between", asyn
   }
   await acts(drags(page, offered("driveUntilBump"), space))
   await expect(node(page, /^driveUntilBump: step/)).toBeVisible()
-  await acts(diagram(page).getByRole("button", {name: "Steps"}).click())
   await acts(drags(page, offered("driveBack"), node(page, /^driveUntilBump: step/)))
   await expect(node(page, /^driveBack 1: step/)).toBeVisible()
   await acts(drags(page, node(page, /^driveBack 1: step/), node(page, /^driveUntilBump: step/)))

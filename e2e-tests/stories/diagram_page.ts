@@ -1,7 +1,7 @@
 /// The diagram as a person uses it: an empty program in it, its nodes, and a drag from one thing to another.
 
 import {expect, type Locator, type Page} from "@playwright/test"
-import {boxAtRest} from "./at_rest.ts"
+import {atRest} from "./at_rest.ts"
 import {Learner} from "./learner.ts"
 
 export const diagram = (page: Page) => page.getByRole("region", {name: "Diagram", exact: true})
@@ -23,13 +23,15 @@ export async function beginsInDiagram(page: Page): Promise<Learner> {
 
 /// From the middle of one to the middle of the other.
 export async function drags(page: Page, from: Locator, to: Locator): Promise<void> {
-  const middle = async (end: Locator) => {
-    const box = await boxAtRest(end)
-    return {x: box.x + box.width / 2, y: box.y + box.height / 2}
-  }
-  const [start, end] = [await middle(from), await middle(to)]
-  await page.mouse.move(start.x, start.y)
+  // Both at once: a palette that folds moves the one while the other rests already.
+  const ends = await atRest(
+    page,
+    () => Promise.all([from.boundingBox(), to.boundingBox()]),
+    boxes => boxes.every(box => box !== null && box.width > 0 && box.height > 0),
+  )
+  const [start, end] = ends.map(box => ({x: box!.x + box!.width / 2, y: box!.y + box!.height / 2}))
+  await page.mouse.move(start!.x, start!.y)
   await page.mouse.down()
-  await page.mouse.move(end.x, end.y, {steps: 5})
+  await page.mouse.move(end!.x, end!.y, {steps: 5})
   await page.mouse.up()
 }

@@ -32,8 +32,6 @@ type Wire = readonly [from: End, to: End, answers?: Answers]
 
 export interface Recipe {
   readonly example: string
-  /// Absent: built by both. Each kind of wire is in what either of them builds.
-  readonly only?: "mouse" | "keyboard"
   /// Types that the wires need.
   readonly types?: readonly string[]
   readonly wires: readonly Wire[]
@@ -60,14 +58,9 @@ const walk: readonly Wire[] = [
 
 export const recipes: readonly Recipe[] = [
   {example: "move", wires: [["sensor tick", "actuator Velocity", {name: "move"}]]},
-  {
-    example: "accelerate",
-    only: "keyboard",
-    wires: [["sensor Velocity", "actuator Velocity", {name: "accelerate"}]],
-  },
+  {example: "accelerate", wires: [["sensor Velocity", "actuator Velocity", {name: "accelerate"}]]},
   {
     example: "accelerateAndPlay",
-    only: "keyboard",
     wires: [
       ["sensor Velocity", "actuator Velocity", {name: "accelerate"}],
       ["sensor Bumper", "actuator Sound", {name: "play"}],
@@ -75,7 +68,6 @@ export const recipes: readonly Recipe[] = [
   },
   {
     example: "forwardBackward",
-    only: "keyboard",
     types: ["Hit"],
     wires: [
       ["sensor Bumper", "memory", {name: "bump", remembers: "Hit"}],
@@ -83,10 +75,9 @@ export const recipes: readonly Recipe[] = [
       ["sensor Velocity", "function forwardBackward"],
     ],
   },
-  {example: "randomWalk", only: "mouse", types: ["Mode"], wires: walk},
+  {example: "randomWalk", types: ["Mode"], wires: walk},
   {
     example: "safetyControl",
-    only: "mouse",
     types: ["Blocked"],
     wires: [
       ["sensor Bumper", "memory", {name: "watch", remembers: "Blocked"}],
@@ -101,7 +92,6 @@ export const recipes: readonly Recipe[] = [
   },
   {
     example: "mux",
-    only: "mouse",
     types: ["M1", "M2", "M"],
     wires: [
       ["sensor Button", "actuator Velocity", {name: "button"}],
@@ -112,7 +102,6 @@ export const recipes: readonly Recipe[] = [
   },
   {
     example: "safeRandomWalk",
-    only: "keyboard",
     types: ["Mode", "M1", "M2", "M"],
     wires: [
       ...walk,
@@ -126,13 +115,11 @@ export const recipes: readonly Recipe[] = [
   },
   {
     example: "turn",
-    only: "mouse",
     wires: [["sensor Orientation", "actuator Velocity", {name: "runTurn"}]],
     isMainWritten: true,
   },
   {
     example: "moveAhead",
-    only: "keyboard",
     wires: [["sensor Position", "memory", {name: "startMove", remembers: "Position"}]],
     isMainWritten: true,
   },

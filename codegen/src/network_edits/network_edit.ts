@@ -2,6 +2,7 @@
 /// that is not meant keep every character. An edit after which inference would find a mistake that was not there is refused.
 
 import {chain} from "../blocks/block_reader.ts"
+import {objectsIn} from "../blocks/spec/block_spec.ts"
 import {isConstructorName, isVariableName, reservedWords} from "../haskell/lexemes.ts"
 import type {Reader} from "../reader/module/module_reader.ts"
 import {syncBlocks} from "../reader/view/block_synchronization.ts"
@@ -20,6 +21,7 @@ import {isRefusal} from "../workspace/moves/refusal_messages.ts"
 import {rename} from "../workspace/renaming/renaming.ts"
 import {mapExtras} from "../workspace/renaming/renaming_changes.ts"
 import {con, make, reaction, ref} from "../workspace/toolbox/block_builders.ts"
+import {withOutput} from "./added_output.ts"
 import {type TypedDefinition, type TypeMeanings, withoutInput, withoutOutput} from "./cuts.ts"
 import {
   arityOf,
@@ -28,14 +30,14 @@ import {
   type OwnTypes,
   patternFor,
   patternsOf,
-  withAnswers,
   withEquation,
   withPatterns,
   withSignature,
 } from "./definition_edits.ts"
 import type {DeclaredType, NetworkAction, NetworkEdit} from "./network_action.ts"
+import {readyFunction} from "./ready_functions.ts"
 import {Refused, refuse} from "./refused.ts"
-import {signatureParts, textOf, withAlternative, withArgument, withResultPart} from "./signature_text.ts"
+import {signatureParts, textOf, withAlternative, withArgument} from "./signature_text.ts"
 import {isPlaced, withoutPlaces, withPlace} from "./simulated_places.ts"
 import {isTaskAction, type TaskAction, taskEdit} from "./task_edits.ts"
 import {isTaskType} from "./written_tasks.ts"
@@ -151,11 +153,28 @@ class NetworkChange {
 
   #connect(sensor: string, actuator: string, name: string): void {
     this.#checkName(name)
-    const own = this.#ownTypes()
-    const patterns = sensor === "()" ? [] : [patternFor(sensor, own, this.#names())]
-    const block = reaction(name, readingOf(sensor), patterns)
+    const pattern = () => patternFor(sensor, this.#ownTypes(), this.#names())
+    const ready = readyFunction(
+      {sensor, actuator},
+      {expanded: type => this.#expanded(type), values: type => this.#valuesOf(type), pattern},
+    )
+    if (ready !== undefined) {
+      const {block, signature} = ready
+      const called = {...block, extraState: {...block.extraState, name}}
+      this.#join(this.#add(withSignature(called, signature)))
+      return
+    }
+    const block = reaction(name, readingOf(sensor), sensor === "()" ? [] : [pattern()])
     const signature = sensor === "()" ? actuator : `${sensor} -> ${actuator}`
     this.#join(this.#add(withSignature(block, signature)))
+  }
+
+  /// The values of a type of the program, where none of them holds anything.
+  #valuesOf(type: string): readonly string[] {
+    const data = this.#tops().find(top => top.type === "data" && top.extraState?.name === type)
+    const constructors = objectsIn(data?.extraState ?? {}, "constructors")
+    const isPlain = constructors.every(one => !Array.isArray(one.fields) || one.fields.length === 0)
+    return isPlain ? constructors.flatMap(one => (typeof one.name === "string" ? [one.name] : [])) : []
   }
 
   #addInput(name: string, type: string, as: "all" | "either"): void {
@@ -199,33 +218,7 @@ class NetworkChange {
     if (arityOf(block) < parts.arguments.length) refuse({kind: "type-unknown", function: name})
     if (this.#leaves([textOf(signature, parts.result)]).includes(this.#expanded(type)))
       refuse({kind: "already-sends", function: name, type})
-    const answers: (SavedBlock | undefined)[] = []
-    withAnswers(block, answer => {
-      answers.push(answer)
-      return answer ?? make("tuple")
-    })
-    const parsed = parseType(textOf(signature, parts.result))
-    const count = parsed === undefined ? 0 : tupleSize(parsed)
-    const flat =
-      count > 1 &&
-      count < mostArguments &&
-      textOf(signature, parts.result).startsWith("(") &&
-      answers.every(answer => answer?.type === "tuple" && answer.extraState?.items === count)
-    const changed = withAnswers(block, answer => {
-      const last = value === undefined ? {} : {block: structuredClone(value)}
-      return flat && answer !== undefined
-        ? {
-            ...answer,
-            extraState: {...answer.extraState, items: count + 1},
-            inputs: {...answer.inputs, [`I${count}`]: last},
-          }
-        : {
-            type: "tuple",
-            extraState: {items: 2},
-            inputs: {...(answer === undefined ? {} : {I0: {block: answer}}), I1: last},
-          }
-    })
-    this.#change(block, () => withSignature(changed, withResultPart(signature, parts, type, flat)))
+    this.#change(block, () => withOutput({block, signature, parts}, type, value))
   }
 
   #connectFunctions({from, to, event, as}: Extract<NetworkAction, {kind: "connect-functions"}>): void {
@@ -433,11 +426,6 @@ const side = (name: "Left" | "Right", pattern: SavedBlock | undefined): SavedBlo
 function readingOf(sensor: string): string {
   if (sensor === "()") return "command"
   return events.has(sensor) ? "event" : states.has(sensor) ? "state" : "plain"
-}
-
-function tupleSize(type: Type): number {
-  const {head, args} = spine(type)
-  return head.kind === "con" && /^\(,+\)$/.test(head.name) ? args.length : 0
 }
 
 function withoutIds(block: SavedBlock): SavedBlock {

@@ -113,12 +113,20 @@ export function withAlternative(text: string, argument: Range, type: string): st
   return `${text.slice(0, start)}Either ${bracketed(textOf(text, argument))} ${bracketed(type)}${text.slice(end)}`
 }
 
-/// With one more part in the result; `flat` where the result is a tuple already.
-export function withResultPart(text: string, {result}: SignatureParts, type: string, flat: boolean): string {
+/// With one more part in the result, or in a part of it; `flat` where that is a tuple already. Brackets around it become those of the tuple.
+export function withResultPart(
+  text: string,
+  {result}: Pick<SignatureParts, "result">,
+  type: string,
+  flat: boolean,
+): string {
   const {start, end} = result
+  const now = textOf(text, result)
+  const isBracketed = now.startsWith("(") && isAtomicType(now) && tupleParts(text, result) === undefined
+  const inside = isBracketed && now !== "()" ? now.slice(1, -1) : now
   return flat
     ? `${text.slice(0, end - 1)}, ${type}${text.slice(end - 1)}`
-    : `${text.slice(0, start)}(${textOf(text, result)}, ${type})${text.slice(end)}`
+    : `${text.slice(0, start)}(${inside}, ${type})${text.slice(end)}`
 }
 
 /// Without an argument and the arrow behind it.

@@ -116,8 +116,12 @@ const holders = new Set(["Memory", "Param", "Done"])
 function shapeOf(type: Type, env: Environment, own: ReadonlySet<string>): WrittenShape | undefined {
   const written = showType(type)
   const meaning = expand(type, env)
-  const {head, args} = spine(meaning)
+  const {head, args: expanded} = spine(meaning)
   if (head.kind !== "con") return undefined
+  // Synonyms inside of a shape are as they are written.
+  const asWritten = spine(type)
+  const isWritten = asWritten.head.kind === "con" && asWritten.head.name === head.name
+  const args = isWritten ? asWritten.args : expanded
   const parts = args.map(arg => shapeOf(arg, env, own))
   const all = parts.flatMap(part => part ?? [])
   const {name} = head

@@ -76,7 +76,7 @@ describe("a connection", () => {
       event: "Hit",
       as: "either",
     })
-    expect(suggestedName(fresh, new Set(["FromGo"]))).toBe("FromGo2")
+    expect(suggestedName(fresh, new Set(["FromGo"]), () => undefined)).toBe("FromGo2")
     expect(joinings(fresh)).toEqual(["all", "either"])
   })
 

@@ -51,6 +51,7 @@ export const diagram: typeof english = {
     or: "Eines davon:",
     orMeans: "sie läuft, sobald eines von beiden kommt.",
     make: "Verbinden",
+    done: "Fertig",
     cancel: "Abbrechen",
     misfits: {
       "starts-at-command":

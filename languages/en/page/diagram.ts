@@ -49,6 +49,7 @@ export const diagram = {
     or: "Either:",
     orMeans: "it runs whenever one of them comes.",
     make: "Connect",
+    done: "Done",
     cancel: "Cancel",
     misfits: {
       "starts-at-command": "An actuator takes values and gives none. Start at a sensor or a function.",

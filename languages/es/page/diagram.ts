@@ -54,6 +54,7 @@ export const diagram: Words["diagram"] = {
     or: "Uno u otro:",
     orMeans: "se ejecuta cada vez que llega uno de ellos.",
     make: "Conectar",
+    done: "Listo",
     cancel: "Cancelar",
     misfits: {
       "starts-at-command":

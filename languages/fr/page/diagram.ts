@@ -51,6 +51,7 @@ export const diagram: typeof english = {
     or: "L’un ou l’autre :",
     orMeans: "elle s’exécute dès que l’un des deux arrive.",
     make: "Relier",
+    done: "Terminé",
     cancel: "Annuler",
     misfits: {
       "starts-at-command":

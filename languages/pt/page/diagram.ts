@@ -51,6 +51,7 @@ export const diagram: typeof english = {
     or: "Um ou outro:",
     orMeans: "ela é executada sempre que chega um deles.",
     make: "Conectar",
+    done: "Pronto",
     cancel: "Cancelar",
     misfits: {
       "starts-at-command": "Um atuador recebe valores e não dá nenhum. Comece em um sensor ou em uma função.",

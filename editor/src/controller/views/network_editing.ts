@@ -72,6 +72,7 @@ export function networkEditing(
   }
   const nameOf = ({type}: ConnectionEnd) => stepAt(written().tasks ?? [], type)?.name ?? type
   return {
+    text: () => store.now.document.program.text,
     written,
     propose(from, to) {
       editor.flush()
@@ -79,7 +80,7 @@ export function networkEditing(
       const connection = connectionOf(from, to, name => ownEventsOf(written(), name))
       if (typeof connection === "string")
         return {kind: "refused", why: words.diagram.edit.misfits[connection]}
-      const name = suggestedName(connection, taken())
+      const name = suggestedName(connection, taken(), network.readyName)
       const memories = hasNewMemory(connection) ? [...plainTypes, ...written().types] : []
       const isFitting = (type: string) =>
         tryOut(actionOf(withMemory(connection, `Memory ${type}`), name, "all"))?.ok === true

@@ -32,7 +32,12 @@ const sensors: readonly ConnectionEnd[] = [
   ...endsOf("sample", ["Seconds", "Clock", "StdGen"]),
   ...endsOf("event", [...events].filter(isView)),
 ]
-const actuators = endsOf("command", [...commands])
+/// What few programs send comes last.
+const rare = new Set(["ExternalPower", "MotorPower"])
+const actuators = endsOf("command", [
+  ...[...commands].filter(type => !rare.has(type)),
+  ...[...commands].filter(type => rare.has(type)),
+])
 
 /// What it remembers is asked when it is connected.
 const memories = endsOf("store", [newMemory])
@@ -51,30 +56,34 @@ export function useWritten(): readonly WrittenFunction[] {
   return controller.diagram.editing()?.written().functions ?? []
 }
 
-/// A column of ends beside the drawing. It stays folded where the program has wires already, so that the picture stays calm.
-export function Palette({side, isEmpty}: {side: "sensors" | "actuators"; isEmpty: boolean}): VNode {
-  const [isOpen, setIsOpen] = useState<boolean | null>(null)
-  const shown = isOpen ?? isEmpty
+/// Whether a column beside the drawing is open. It is folded where the program has wires already, so that the picture stays calm.
+export interface Openness {
+  readonly isOpen: boolean
+  readonly setIsOpen: (isOpen: boolean) => void
+}
+
+/// A column of ends beside the drawing.
+export function Palette({side, isOpen, setIsOpen}: Openness & {side: "sensors" | "actuators"}): VNode {
   const {edit} = words.diagram
   const groups: readonly [string, readonly ConnectionEnd[]][] =
     side === "sensors"
       ? [["", sensors]]
       : [
-          ["", actuators],
           [edit.memories, memories],
+          ["", actuators],
         ]
   return (
     <div class={`diagram-palette of-${side}`}>
       <button
         type="button"
         class="plain small"
-        aria-expanded={shown}
+        aria-expanded={isOpen}
         title={side === "sensors" ? edit.sensorsHint : edit.actuatorsHint}
-        onClick={() => setIsOpen(!shown)}
+        onClick={() => setIsOpen(!isOpen)}
       >
         {edit[side]}
       </button>
-      {shown &&
+      {isOpen &&
         groups.map(([title, ends]) => (
           <ul key={title} aria-label={title === "" ? edit[side] : title}>
             {ends.map(end => (

@@ -1,7 +1,7 @@
 /// The diagram region: drawing or list, and what can be done with it.
 
 import type {CSSProperties, JSX, VNode} from "preact"
-import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
 import {QuestionButtons} from "../../features/why/why_panel.tsx"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {nodeQuestions} from "../../values/node_questions.ts"
@@ -11,11 +11,18 @@ import {nextInList} from "../../views/diagram/list_navigation.ts"
 import {causalPath, noPath} from "../../views/diagram/network/causal_path.ts"
 import {words} from "../../words/index.ts"
 import {ActuatorConflicts} from "./actuator_conflicts.tsx"
-import {type Asked, ConnectionForm} from "./connection_form.tsx"
-import {type AskedDefinition, DefinitionEditor, isOnlyView, OtherDefinitions} from "./definition_editor.tsx"
+import {type Asked, ConnectionForm, hasChoices, isMadeAtOnce, offeredAction} from "./connection_form.tsx"
+import {
+  type AskedDefinition,
+  DefinitionEditor,
+  firstEmptyPlace,
+  isOnlyView,
+  OtherDefinitions,
+} from "./definition_editor.tsx"
 import {
   ConnectionMenu,
   FunctionActions,
+  type Openness,
   Palette,
   StandingBeside,
   useConnectionDrag,
@@ -23,11 +30,35 @@ import {
 import {RegionHeader} from "./region_header.tsx"
 import {type AskedSteps, StepActions, StepChoice, StepPalette} from "./step_editing.tsx"
 
+type PaletteSide = "sensors" | "steps" | "actuators"
+
+/// Which palettes are open: those that the learner opened, all beside an empty program, and those that were used there.
+function usePalettes(isEmpty: boolean) {
+  const [open, setOpen] = useState<{readonly [side in PaletteSide]?: boolean}>({})
+  return {
+    palette: (side: PaletteSide): Openness => ({
+      isOpen: open[side] ?? isEmpty,
+      setIsOpen: isOpen => setOpen({...open, [side]: isOpen}),
+    }),
+    keepOpen: (...sides: readonly PaletteSide[]) =>
+      setOpen({...Object.fromEntries(sides.map(side => [side, isEmpty])), ...open}),
+  }
+}
+
+/// Whether an answer of a definition is yet to be written.
+function hasEmptyPlace(controller: ReturnType<typeof useController>, name: string): boolean {
+  const definition = controller.diagram
+    .editing()
+    ?.definitions()
+    .find(d => d.name === name)
+  return definition !== undefined && firstEmptyPlace(definition.text) !== null
+}
+
 export function DiagramRegion({shown, style}: {shown: boolean; style: CSSProperties}): VNode {
   const controller = useController()
   const host = useRef<HTMLDivElement>(null)
   const [asList, setAsList] = useState(false)
-  const {outcome} = usePageState(s => s.diagram)
+  const {outcome, chosen} = usePageState(s => s.diagram)
   // What is computed is shown as it was reported last; functions and tasks as the text has them, unless it is broken.
   const isStale = usePageState(
     s =>
@@ -41,12 +72,29 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [refused, setRefused] = useState<string | null>(null)
   const [definition, setDefinition] = useState<AskedDefinition | null>(null)
   const isAlone = usePageState(isOnlyView)
+  // Choosing a node ends the question about what was made.
+  useEffect(() => {
+    if (chosen !== null) setAsked(now => (now !== null && now.madeText !== null ? null : now))
+  }, [chosen])
+  const {palette, keepOpen} = usePalettes(outcome === "empty")
+  const offer = (proposal: Proposal & {kind: "offered"}, at: Point) => {
+    if (!isMadeAtOnce(proposal)) return setAsked({proposal, at, madeText: null})
+    const why = controller.diagram.editing()?.edit(offeredAction(proposal)) ?? null
+    setRefused(why)
+    if (why === null && hasChoices(proposal))
+      setAsked({proposal, at, madeText: controller.diagram.editing()?.text() ?? null})
+  }
   const ask = (proposal: Proposal, at: Point) => {
     setRefused(proposal.kind === "refused" ? proposal.why : null)
-    setAsked(proposal.kind === "offered" ? {proposal, at} : null)
+    setAsked(null)
     setSteps(null)
     setDefinition(null)
+    if (proposal.kind === "offered") {
+      keepOpen("sensors", "actuators")
+      offer(proposal, at)
+    }
     if (proposal.kind !== "steps") return
+    keepOpen("steps")
     // What can mean one thing only is done at once.
     const [only, ...others] = proposal.options
     if (only !== undefined && others.length === 0)
@@ -61,20 +109,28 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const message = {waiting: diagram.waiting, empty: diagram.empty, failed: diagram.failed, drawn: null}[
     outcome
   ]
+  const question = asked !== null && (
+    <ConnectionForm
+      key={asked.proposal.title}
+      asked={asked}
+      close={() => setAsked(null)}
+      made={name => isAlone && hasEmptyPlace(controller, name) && setDefinition({name, at: asked.at})}
+    />
+  )
   return (
     <section class="region diagram" aria-label={diagram.title} hidden={!shown} style={style}>
       <RegionHeader region="diagram" />
       <DiagramTools asList={asList} setAsList={setAsList} />
       <NodeQuestions />
-      <FunctionActions open={setDefinition} />
+      {asked !== null && asked.madeText !== null ? question : <FunctionActions open={setDefinition} />}
       <StepActions asList={asList} />
       {asList && shown && <ConnectionMenu ask={ask} />}
       {/* Haskell's names and arrows go from left to right in every language. */}
       <div class="diagram-stage" dir="ltr" ref={stage} onPointerDown={() => setRefused(null)}>
         {!asList && (
           <div class="diagram-sources">
-            <Palette side="sensors" isEmpty={outcome === "empty"} />
-            <StepPalette isEmpty={outcome === "empty"} />
+            <Palette side="sensors" {...palette("sensors")} />
+            <StepPalette {...palette("steps")} />
           </div>
         )}
         <div
@@ -89,15 +145,8 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
             {message}
           </p>
         )}
-        {!asList && <Palette side="actuators" isEmpty={outcome === "empty"} />}
-        {asked !== null && (
-          <ConnectionForm
-            key={asked.proposal.title}
-            asked={asked}
-            close={() => setAsked(null)}
-            made={name => isAlone && setDefinition({name, at: asked.at})}
-          />
-        )}
+        {!asList && <Palette side="actuators" {...palette("actuators")} />}
+        {asked?.madeText === null && question}
         {definition !== null && (
           <DefinitionEditor
             key={definition.name ?? ""}

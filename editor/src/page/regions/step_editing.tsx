@@ -15,6 +15,7 @@ import {
   stepOptions,
 } from "../../views/diagram/network/step_options.ts"
 import {words} from "../../words/index.ts"
+import type {Openness} from "./diagram_editing.tsx"
 import {usePlaceInWindow} from "./place_in_window.ts"
 
 /// A choice between changes of two steps, at a place of the window.
@@ -36,9 +37,7 @@ function useNewSteps(): readonly {readonly type: string; readonly text: string}[
 }
 
 /// A column of steps beside the drawing.
-export function StepPalette({isEmpty}: {isEmpty: boolean}): VNode {
-  const [isOpen, setIsOpen] = useState<boolean | null>(null)
-  const shown = isOpen ?? isEmpty
+export function StepPalette({isOpen, setIsOpen}: Openness): VNode {
   const steps = useNewSteps()
   const {edit} = words.diagram
   return (
@@ -46,13 +45,13 @@ export function StepPalette({isEmpty}: {isEmpty: boolean}): VNode {
       <button
         type="button"
         class="plain small"
-        aria-expanded={shown}
+        aria-expanded={isOpen}
         title={edit.stepsHint}
-        onClick={() => setIsOpen(!shown)}
+        onClick={() => setIsOpen(!isOpen)}
       >
         {edit.steps}
       </button>
-      {shown && (
+      {isOpen && (
         <ul aria-label={edit.steps}>
           {steps.map(({type, text}) => (
             <li key={type} class="end step" data-end="new-step" data-type={type}>

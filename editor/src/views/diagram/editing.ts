@@ -22,6 +22,8 @@ export type Proposal =
     }
 
 export interface NetworkEditing {
+  /// The program's text.
+  text(): string
   /// The functions of the program as its text has them.
   written(): WrittenNetwork
   propose(from: ConnectionEnd, to: ConnectionEnd): Proposal

@@ -16,6 +16,15 @@ export interface ConnectionDragOptions {
 /// Pixels that a pointer moves before it drags: less is a press, which chooses the node.
 const slack = 6
 
+/// A finger that leaves a palette which has more than it shows at a flatter angle than this drags an entry; a steeper one scrolls.
+const steepest = Math.tan((60 * Math.PI) / 180)
+
+/// Whether a movement of a finger, in pixels, scrolls a list with such heights, and drags nothing out of it.
+export const scrolls = (
+  by: Point,
+  {scrollHeight, clientHeight}: Pick<Element, "scrollHeight" | "clientHeight">,
+): boolean => scrollHeight > clientHeight && Math.abs(by.y) > Math.abs(by.x) * steepest
+
 /// Returns a function that ends it.
 export function openConnectionDrag(stage: HTMLElement, options: ConnectionDragOptions): () => void {
   let end: (() => void) | null = null
@@ -60,6 +69,9 @@ function follow(
   const note = document.createElement("div")
   note.className = "connection-note"
   let isDragging = false
+  const list = down.pointerType === "touch" ? from.element.closest(".diagram-palette") : null
+  let isScrolling = false
+  let lastY = down.clientY
   let target: Grip | null = null
   // The stage stays where it is while something is dragged: asked again and again, its place would be computed in each frame.
   const stageBox = stage.getBoundingClientRect()
@@ -81,9 +93,16 @@ function follow(
   }
   const move = (event: PointerEvent) => {
     if (event.pointerId !== down.pointerId) return
-    if (!isDragging) {
-      if (Math.hypot(event.clientX - down.clientX, event.clientY - down.clientY) <= slack) return
-      start()
+    if (!isDragging && !isScrolling) {
+      const by = {x: event.clientX - down.clientX, y: event.clientY - down.clientY}
+      if (Math.hypot(by.x, by.y) <= slack) return
+      isScrolling = list !== null && scrolls(by, list)
+      if (!isScrolling) start()
+    }
+    if (isScrolling) {
+      list?.scrollBy(0, lastY - event.clientY)
+      lastY = event.clientY
+      return
     }
     // Before anything is changed: the browser would have to compute the layout anew to answer.
     const element = document.elementFromPoint(event.clientX, event.clientY)

@@ -104,17 +104,20 @@ export const withMemory = <C extends Connection>(connection: C, type: string): C
     Object.entries(connection).map(([part, value]) => [part, value === newMemory ? type : value]),
   ) as unknown as C
 
-/// A name for what a connection makes, which nothing has yet.
-export function suggestedName(connection: Connection, taken: ReadonlySet<string>): string {
-  const wanted =
-    connection.kind === "functions"
-      ? `From${capital(connection.from)}`
-      : connection.kind === "new-function"
-        ? connection.sensor === "()"
-          ? `set${word(connection.actuator)}`
-          : `on${word(connection.sensor)}`
-        : ""
-  return uniqueName(wanted, taken)
+/// A name for what a connection makes, which nothing has yet; `readyName` gives that of the ready-made function that it is.
+export function suggestedName(
+  connection: Connection,
+  taken: ReadonlySet<string>,
+  readyName: (wire: {readonly sensor: string; readonly actuator: string}) => string | undefined,
+): string {
+  return uniqueName(wantedName(connection, readyName), taken)
+}
+
+function wantedName(connection: Connection, readyName: Parameters<typeof suggestedName>[2]): string {
+  if (connection.kind === "functions") return `From${capital(connection.from)}`
+  if (connection.kind !== "new-function") return ""
+  const {sensor, actuator} = connection
+  return readyName(connection) ?? (sensor === "()" ? `set${word(actuator)}` : `on${word(sensor)}`)
 }
 
 const capital = (name: string) => name.charAt(0).toUpperCase() + name.slice(1)
