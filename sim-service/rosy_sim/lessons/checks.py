@@ -191,7 +191,7 @@ class Counts(_Check, tag="counts"):
 
 
 class Measures(_Check, tag="measures"):
-    """The program says how far the robot has driven, cm, at most ``tolerance`` beside it."""
+    """The program says how far the robot has driven, cm, so far or until a bump, at most ``tolerance`` beside it."""
 
     tolerance: Annotated[float, Meta(gt=0, le=1000, description="Largest difference, cm.")]
 

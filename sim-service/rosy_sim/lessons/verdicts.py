@@ -297,17 +297,24 @@ def _counts(check: Counts, recording: Recording, final: bool) -> Verdict:
 
 def _measures(check: Measures, recording: Recording, final: bool) -> Verdict:
     driven = 0.0
+    # A program that says it later, on the way back for example, says how far it was to a bump.
+    until_bumps: list[float] = []
     samples = iter(itertools.pairwise(recording.samples))
     for command in recording.commands:
         if command.channel != "Say":
             continue
         for one, other in samples:
             driven += 100 * math.dist((one.x, one.y), (other.x, other.y))
+            if other.bumpers and not one.bumpers:
+                until_bumps.append(driven)
             if other.time >= command.time - 1e-9:
                 break
         # A 0 before the robot has driven measures nothing.
         has_driven = driven > 2 * check.tolerance
-        if has_driven and any(abs(number - driven) <= check.tolerance for number in _numbers(command)):
+        said = _numbers(command)
+        if has_driven and any(
+            abs(number - way) <= check.tolerance for number in said for way in (driven, *until_bumps)
+        ):
             return _done(check)
     seen = Seen("not-measured", number=_driven(recording.samples) * 100)
     return _sooner_or_later(check, False, final or recording.done is not None, seen)

@@ -117,6 +117,22 @@ def test_a_check_is_judged_by_what_was_recorded(
     assert verdict(check, recording) == Verdict("it", state, seen)  # type: ignore[arg-type]
 
 
+def test_a_way_is_measured_until_a_bump_or_until_now() -> None:
+    there = [Sample(i / 50, 1 + i / 100, 1.0, 0.0, 0.5, 0.0, int(i == 200), 0) for i in range(201)]
+    back = [Sample(4 + i / 50, 3 - i / 100, 1.0, 0.0, -0.5, 0.0, 0, 0) for i in range(1, 51)]
+
+    def said(time: float, text: str) -> Verdict:
+        recording = Recording(ARENA, there + back, commands=[at(time, "Say", text)])
+        return verdict({"kind": "measures", "tolerance": 5}, recording)
+
+    assert said(4, "It is 200 cm").state == "done"
+    assert said(5, "250").state == "done"
+    assert said(5, "200").state == "done"
+    # Not yet driven, and driven somewhere between.
+    assert said(3, "200").state == "missed"
+    assert said(5, "150") == Verdict("it", "missed", Seen("not-measured", number=about(250)))
+
+
 @pytest.mark.parametrize("check", [AT, FACES, STILL, MOVES, REACHES, ENDS, SAYS, SENDS, ANSWERS, SILENT])
 def test_nothing_is_decided_before_anything_happened(check: dict[str, Any]) -> None:
     assert verdict(check, Recording(ARENA), final=False).state == "open"
