@@ -48,39 +48,6 @@ describe("by mouse", () => {
     expect((await keys.haskell()).trim()).toBe(example("move"))
   })
 
-  test("a press of the search draws what it finds once, and nothing that was found before", async () => {
-    const keys = await Keys.onEmpty(stage)
-    const {page} = keys
-    await keys.take("when it has a velocity")
-    const drawings = await page.evaluateHandle(() => {
-      const workspace = window.Blockly.getMainWorkspace() as import("blockly/core").WorkspaceSvg
-      const flyout = workspace.getToolbox()!.getFlyout()!
-      const shown: unknown[] = []
-      const show = flyout.show.bind(flyout)
-      flyout.show = contents => {
-        shown.push(contents)
-        show(contents)
-      }
-      return shown
-    })
-    const counted = () => drawings.evaluate(shown => shown.splice(0).length)
-    await page.locator(".rosySearch").click()
-    await settled(page)
-    expect(await counted()).toBe(1)
-    await page.keyboard.press("Escape")
-    await page.evaluate(() => window.blocks.focus())
-    await settled(page)
-    await counted()
-    // Words that come before the press is drawn.
-    await page.locator(".rosySearch").evaluate((field: HTMLInputElement) => {
-      field.focus()
-      field.value = "plus"
-      field.dispatchEvent(new Event("input"))
-    })
-    await settled(page)
-    expect(await counted()).toBe(1)
-  })
-
   test("move by a click: a ready function lies below the others and runs; a place that is pressed later is offered what fits", async () => {
     const keys = await Keys.onEmpty(stage)
     const {page} = keys

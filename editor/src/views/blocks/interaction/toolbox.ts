@@ -162,8 +162,6 @@ class Search extends Blockly.ToolboxCategory {
   private best: ToolboxItem | undefined
   /// The place has changed, and `best` belongs to the one before. Keys can be quicker than the drawing that `match` waits for.
   private isStale = false
-  /// What the next frame draws; null when that is drawn.
-  private undrawn: FlyoutInfo | null = null
 
   protected override createDom_(): HTMLDivElement {
     const dom = super.createDom_()
@@ -198,16 +196,12 @@ class Search extends Blockly.ToolboxCategory {
 
   override onNodeFocus(): void {
     this.isStale = true
-    // What was found for the place before would be drawn, and replaced at once.
-    this.flyoutItems_ = []
     afterFocus(this, () => {
       super.onNodeFocus()
       // What was searched last is shown again, and typing replaces it.
       this.field?.select()
     })
-    void Blockly.renderManagement.finishQueuedRenders().then(() => {
-      if (this.isStale) this.match()
-    })
+    void Blockly.renderManagement.finishQueuedRenders().then(() => this.match())
   }
 
   /// Offers what fits the chosen place: what was searched before was for another. Without keys, no keyboard appears on a screen until
@@ -322,25 +316,13 @@ class Search extends Blockly.ToolboxCategory {
         fitsHere ? `${nearby.get(this.workspace_)?.placeName() ?? ""} ${counted}` : counted,
       )
     this.best = found[0]
-    this.draw([
+    this.flyoutItems_ = [
       ...(heading === undefined ? [] : [label(heading)]),
       ...[...found, ...near].map(flyoutBlock),
-    ] as FlyoutInfo)
-  }
-
-  /// Draws what is found with the next frame: once for all keys until then, and not at all when Enter comes before.
-  private draw(found: FlyoutInfo): void {
-    const isAskedFor = this.undrawn !== null
-    this.undrawn = found
-    if (isAskedFor) return
-    requestAnimationFrame(() => {
-      this.flyoutItems_ = this.undrawn ?? []
-      this.undrawn = null
-      if (this.parentToolbox_.getSelectedItem() !== this) return
-      this.parentToolbox_.refreshSelection()
-      const flyout = this.parentToolbox_.getFlyout()
-      if (flyout instanceof Blockly.Flyout) flyout.scrollToStart()
-    })
+    ] as FlyoutInfo
+    this.parentToolbox_.refreshSelection()
+    const flyout = this.parentToolbox_.getFlyout()
+    if (flyout instanceof Blockly.Flyout) flyout.scrollToStart()
   }
 }
 
