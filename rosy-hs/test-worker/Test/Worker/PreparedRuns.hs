@@ -73,18 +73,20 @@ tests borrow =
               pure (at, said)
             spares = sparesOf (processId worker)
         (_, first) <- plainly "first" several
+        eventually "one waits" ((== 1) . length <$> spares)
         before <- descriptorsOf (processId worker)
         runs <- forM ["second", "third" :: Text] $ \name -> do
           eventually "one waits" ((== 1) . length <$> spares)
           waits <- spares
           -- Its channel, and what it puts in the place of 0, 1 and 2.
-          mapM descriptorsOf waits >>= (@?= [5])
+          eventually "it has five descriptors" ((== [5]) <$> mapM descriptorsOf waits)
           (at, said) <- plainly (toJSON name) several
           [at] @?= waits
           said @?= first
           pure waits
         assertBool "another process for each" (sort (concat runs) == nub (sort (concat runs)))
-        descriptorsOf (processId worker) >>= (@?= before)
+        eventually "the next one waits" ((== 1) . length <$> spares)
+        eventually "no descriptor is left" ((== before) <$> descriptorsOf (processId worker))
         -- A long one does not fit into the channel at once, perhaps.
         (_, long') <- plainly "long" (several <> Text.replicate 190 ("-- " <> Text.replicate 999 "." <> "\n"))
         long' @?= first
