@@ -183,9 +183,8 @@ def _environment() -> dict[str, str]:
 
     ROSY_LIBRARIES: folders of shared libraries, where they are not the system's (on a stick).
     """
-    kept = {name: os.environ[name] for name in ("ROSY_PACKAGE_DB", "ROSY_LAYERS_OFF") if name in os.environ}
-    if "ROSY_LIBRARIES" in os.environ:
-        kept["LD_LIBRARY_PATH"] = os.environ["ROSY_LIBRARIES"]
+    passed_on = {"ROSY_PACKAGE_DB": "ROSY_PACKAGE_DB", "ROSY_LIBRARIES": "LD_LIBRARY_PATH"}
+    kept = {inside: os.environ[outside] for outside, inside in passed_on.items() if outside in os.environ}
     return {"PATH": "/usr/bin:/bin", "LANG": "C.UTF-8", "HOME": "/tmp", **kept}
 
 
