@@ -51,7 +51,8 @@ export async function openStage({address, endpoint}: StageAddress): Promise<Stag
       throw error
     })
     await page.goto(`${address}dev/blocks.html?${query}`)
-    await page.waitForFunction("window.blocks !== undefined && document.fonts.status === 'loaded'")
+    // Not `window.blocks`: that is the element with this id until the view is there.
+    await page.waitForFunction("window.reset !== undefined && document.fonts.status === 'loaded'")
     return page
   }
   return {
