@@ -184,7 +184,7 @@ test("five tasks of the first hour take no more actions than in blocks", async (
     await behaves(learner)
     await learner.stops()
     const actions = by.actions + 1
-    counts.push(`${title} in the diagram: ${actions} actions (in blocks ${inBlocks})`)
+    counts.push(`${title} in the diagram: ${actions} actions (the goal in blocks: ${inBlocks})`)
     expect(actions).toBeLessThanOrEqual(inBlocks)
   }
   console.log(counts.join("\n"))

@@ -73,6 +73,7 @@ import Foreign.Ptr (Ptr)
 import Network.Socket hiding (listen)
 import Network.Socket.ByteString (recv, sendAll)
 import System.Directory (doesDirectoryExist, findExecutable, listDirectory)
+import System.IO (IOMode (ReadMode), openFile)
 import System.Posix.IO (FdOption (CloseOnExec), setFdOption)
 import System.Posix.Types (Fd (..))
 import System.Process
@@ -97,7 +98,9 @@ withWorker options = bracket open shut
       withFdSocket mine (\fd -> setFdOption (Fd fd) CloseOnExec True)
       inherited <- socketToFd' theirs
       setFdOption (Fd inherited) CloseOnExec False
-      (_, _, _, handle) <- createProcess (proc executable (["--fd", show inherited] ++ options)) {close_fds = False, std_in = NoStream}
+      -- Without an input of its own, whatever is opened first would take its place.
+      nothing <- openFile "/dev/null" ReadMode
+      (_, _, _, handle) <- createProcess (proc executable (["--fd", show inherited] ++ options)) {close_fds = False, std_in = UseHandle nothing}
       setFdOption (Fd inherited) CloseOnExec True
       close theirs
       Just pid <- getPid handle
