@@ -127,7 +127,8 @@ watch start peer = do
 -- | Four metres ahead is the first goal, and when it is reached the second one is behind to the right. Both turtles are as fast as they may be.
 drive :: Start -> Peer -> String -> IO ()
 drive start peer name = withTurtle start peer name $ do
-  say peer ("send " ++ pose name ++ " {\"x\": 1, \"y\": 5}")
+  -- Again and again: the turtle may not have read its goals yet.
+  say peer ("stream " ++ pose name ++ " {\"x\": 1, \"y\": 5}")
   _ <- hearsWhere peer "straight on" (turns name "z\": 0.0")
   say peer ("stream " ++ pose name ++ " {\"x\": 5, \"y\": 4.5}")
   void (hearsWhere peer "a turn to the right" (turns name "z\": -2.0"))
