@@ -135,15 +135,15 @@ def work(port: int, pupils: int, code: str, key: str, hours: int, talk: Connecti
 
 
 async def _work(port: int, pupils: int, code: str, key: str, hours: int, talk: Connection) -> None:
-    desks = [_Desk(port, number, code) for number in range(pupils)]
+    class_pupils = [_Pupil(port, number, code) for number in range(pupils)]
     for hour in range(hours):
         talk.send(hour)
         await asyncio.to_thread(talk.recv)
-        await work_an_hour(port, desks, key, hour)
+        await work_an_hour(port, class_pupils, key, hour)
     talk.send(hours)
 
 
-async def work_an_hour(port: int, desks: list[_Desk], key: str, hour: int) -> None:
+async def work_an_hour(port: int, class_pupils: list[_Pupil], key: str, hour: int) -> None:
     """All pupils at once, and the board, which opens a task before and the hand-ins afterwards."""
     async with connected(port, "board") as socket:
         board = PageClient(socket, port, "")
@@ -157,19 +157,19 @@ async def work_an_hour(port: int, desks: list[_Desk], key: str, hour: int) -> No
                 break
         task = opened[0]["id"]
         watching = asyncio.create_task(board.drain())
-        await asyncio.gather(*(desk.work(task) for desk in desks))
+        await asyncio.gather(*(pupil.work(task) for pupil in class_pupils))
         watching.cancel()
     async with connected(port, "board") as socket:
         board = PageClient(socket, port, "")
         await board.send("unlock", key=key)
         await board.answer("tasks")
-        for desk in desks:
-            await board.send("open-hand-in", task=task, pupil=desk.pupil)
+        for pupil in class_pupils:
+            await board.send("open-hand-in", task=task, pupil=pupil.identity)
             await board.answer("program")
         await board.send("close-task", task=task)
 
 
-class _Desk:
+class _Pupil:
     """A pupil, who keeps a token, a program and its version between the hours."""
 
     def __init__(self, port: int, number: int, code: str) -> None:
@@ -177,7 +177,7 @@ class _Desk:
         self._token: str | None = None
         self._version = 0
         self._count = number * 1_000_000
-        self.pupil = 0
+        self.identity = 0
 
     async def work(self, task: int) -> None:
         """An hour's work."""
@@ -201,7 +201,7 @@ class _Desk:
             await _tell(member, "enter", token=self._token)
         entered = await _until(member, lambda m: m["op"] in ("entered", "refused"))
         assert entered["op"] == "entered", entered
-        self._token, self.pupil = entered.get("token") or self._token, entered["pupil"]
+        self._token, self.identity = entered.get("token") or self._token, entered["pupil"]
 
     async def _learn(self, page: ClientConnection) -> None:
         source = self._source()

@@ -39,12 +39,12 @@ _LIMIT = 30.0
 
 
 class CallFailed(Exception):
-    """Nobody carries out a call; says why."""
+    """A call could not be carried out; its text is the reason."""
 
 
 @dataclass(slots=True)
 class _Open:
-    """A caller, and those who wait for its answers."""
+    """The client of a service, and the pending responses."""
 
     caller: Caller
     kind: str

@@ -92,7 +92,7 @@ class Robot:
 
     async def connect(self) -> None:
         """A new connection takes the place of one that has ended."""
-        # Frames that nobody asks for must not hide that the bridge has closed the connection.
+        # With a full queue the library would stop reading, and the close frame behind it would not be seen.
         self._client = await connect(self._url, max_queue=None, **UNHURRIED)
         for wish in self._wishes.values():
             await self.client.send(json.dumps(wish))

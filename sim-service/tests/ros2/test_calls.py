@@ -12,7 +12,7 @@ import pytest
 
 pytest.importorskip("cyclonedds", reason="Cyclone DDS is not installed")
 
-from cyclonedds.core import Listener, Policy, Qos
+from cyclonedds.core import DDSException, Listener, Policy, Qos
 from cyclonedds.domain import DomainParticipant
 from cyclonedds.idl import make_idl_struct
 from cyclonedds.idl.types import int64, uint64
@@ -222,3 +222,17 @@ def test_a_service_of_cyclone_dds_answers() -> None:
 
     with free_domain() as domain:
         assert asyncio.run(play(domain)) == {"success": True, "message": "True"}
+
+
+@pytest.mark.parametrize("has_header", [True, False])
+def test_a_request_that_the_service_does_not_take_is_answered_with_nothing(has_header: bool) -> None:
+    class Full(Written):
+        def write(self, message: Any) -> None:
+            super().write(message)
+            raise DDSException(DDSException.DDS_RETCODE_TIMEOUT)
+
+    answers: list[Any] = []
+    caller = DdsCaller(KIND, with_header(f"{KIND}_Request"), has_header)
+    caller.use(Full(), Written())
+    caller.call(request(True), answers.append)
+    assert answers == [None]

@@ -451,18 +451,18 @@ heardAs :: String -> [String] -> [String]
 heardAs kind ls = [unwords (if kind == "control" then drop 2 rest else rest) | k : rest <- map words ls, k == kind]
 
 -- | What it is told, by message or tick. Only the last of a batch is sure to arrive: a packet carries what is wanted when it is written.
-data Told = Perhaps String | Surely String
+data Told = Optional String | Required String
   deriving (Show)
 
 toldAs :: String -> [[Action]] -> [Told]
 toldAs kind batches = case kind of
   "control" -> inBatches (\case VelocityCommand (Velocity v w) -> Just (control v w); _ -> Nothing)
-  "led1" -> Surely "0" : inBatches (\case Led1Command (Led1 c) -> Just (light c); _ -> Nothing)
-  "led2" -> Surely "0" : inBatches (\case Led2Command (Led2 c) -> Just (light c); _ -> Nothing)
-  _ -> [Surely (show (fromEnum sound)) | SoundCommand sound <- concat batches]
+  "led1" -> Required "0" : inBatches (\case Led1Command (Led1 c) -> Just (light c); _ -> Nothing)
+  "led2" -> Required "0" : inBatches (\case Led2Command (Led2 c) -> Just (light c); _ -> Nothing)
+  _ -> [Required (show (fromEnum sound)) | SoundCommand sound <- concat batches]
   where
-    inBatches f = concatMap (lastSurely . mapMaybe f . through) batches
-    lastSurely values = [(if n == length values then Surely else Perhaps) value | (n, value) <- zip [1 ..] values]
+    inBatches f = concatMap (lastRequired . mapMaybe f . through) batches
+    lastRequired values = [(if n == length values then Required else Optional) value | (n, value) <- zip [1 ..] values]
     control v w = let (speed, radius) = uncurry wheelCommand (withinWheels (Wheels 0.7 0.23) (v, w)) in unwords [show speed, show radius]
     light c = show (case c of Black -> 0 :: Int; Red -> 1; Green -> 2; Orange -> 3)
 
@@ -470,15 +470,15 @@ toldAs kind batches = case kind of
 -- stop, because it was told nothing new for 0.6 s, and goes on after that.
 fits :: String -> [String] -> [Told] -> Bool
 fits kind heard told
-  | kind == "sound" = heard == [value | Surely value <- told]
+  | kind == "sound" = heard == [value | Required value <- told]
   | otherwise = go "" (if kind == "control" then "0 0" else "") heard told
   where
     -- What was told last, and what the base does. A stop may be the program's or the link's: what follows tells.
     go before now heard' told' =
       (null heard' && null told')
         || case told' of
-          Perhaps t : ts -> go t now heard' ts || comes t heard' ts
-          Surely t : ts -> (t == now && go t now heard' ts) || comes t heard' ts
+          Optional t : ts -> go t now heard' ts || comes t heard' ts
+          Required t : ts -> (t == now && go t now heard' ts) || comes t heard' ts
           [] -> False
         || case heard' of
           h : hs | h `elem` ["0 0", before], h /= now -> go before h hs told'

@@ -98,7 +98,7 @@ withWorker options = bracket open shut
       withFdSocket mine (\fd -> setFdOption (Fd fd) CloseOnExec True)
       inherited <- socketToFd' theirs
       setFdOption (Fd inherited) CloseOnExec False
-      -- Without an input of its own, whatever is opened first would take its place.
+      -- With descriptor 0 closed, the first file that the worker opens would get that number.
       nothing <- openFile "/dev/null" ReadMode
       (_, _, _, handle) <- createProcess (proc executable (["--fd", show inherited] ++ options)) {close_fds = False, std_in = UseHandle nothing}
       setFdOption (Fd inherited) CloseOnExec True

@@ -8,7 +8,6 @@ response answers what has been asked until then, so only one question should be 
 
 from __future__ import annotations
 
-import contextlib
 import itertools
 import secrets
 import threading
@@ -55,9 +54,11 @@ class DdsCaller:
             self._calls[number] = on_answer
         if self.is_exact:
             request = self._made(rosy_client=self._client, rosy_number=number, **vars(request))
-        # A service that does not take it in time does not answer.
-        with contextlib.suppress(DDSException):
+        try:
             self._writer.write(request)
+        except DDSException:
+            # The service's queue is full: the caller hears that there is no answer instead of waiting for one.
+            self._answer(None, number)
 
     def take(self) -> None:
         """There may be responses."""
