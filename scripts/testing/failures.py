@@ -18,8 +18,10 @@ _COLOURS = re.compile(r"\x1b\[[0-9;]*m")
 # What pytest-xdist says of a test whose process has ended; why stands where the process wrote it (faulthandler's first line).
 _CRASHED = "worker 'gw"
 _CAUSE = re.compile(r"^(Timeout \([\d:.]+\)|Fatal Python error: .*)", re.M)
-# Characters of a message that are kept; the whole message stands in the output of the suite.
-_LENGTH = 300
+# What Playwright and vitest show of the source below a message: lines with their numbers.
+_SOURCE = re.compile(r"^\s*(?:>\s*)?\d+ \|.*$|^\s*\|\s*\^.*$", re.M)
+# Characters that are kept of the beginning and of the end of a message: a story's end says what it waited for. The whole stands in the suite's output.
+_BEGINNING, _END = 300, 700
 
 
 def failed_tests(output: str, report: Path | None) -> list[str]:
@@ -31,7 +33,7 @@ def failed_tests(output: str, report: Path | None) -> list[str]:
         plain = _COLOURS.sub("", output)
         found = re.findall(r"^(?:FAILED|ERROR) (\S.*)$", plain, re.M)
         found = [f"{line} ({cause})" if _CRASHED in line and (cause := _causes(plain)) else line for line in found]
-        found += [name.strip() for name in re.findall(r"^\s+(\S.*?):\s+FAIL(?: \(.*\))?$", plain, re.M)]
+        found += _tasty(plain)
     return [_one_line(name) for name in found]
 
 
@@ -61,6 +63,13 @@ def _playwright(suites: list[dict[str, Any]], above: tuple[str, ...]) -> Iterato
         yield from _playwright(suite.get("suites", []), names)
 
 
+def _tasty(output: str) -> Iterator[str]:
+    """Tests that failed, with the lines below them that are further to the right."""
+    for failed in re.finditer(r"^(\s+)(\S.*?):\s+FAIL(?: \(.*\))?\n((?:\1\s+\S.*\n|\s*\n)*)", output, re.M):
+        message = failed[3].split("Use -p ")[0].strip()
+        yield f"{failed[2]}: {message}" if message else failed[2]
+
+
 def _one_line(text: str) -> str:
-    line = " ".join(_COLOURS.sub("", text).split())
-    return line if len(line) <= _LENGTH else f"{line[:_LENGTH]} …"
+    line = " ".join(_SOURCE.sub("", _COLOURS.sub("", text)).split())
+    return line if len(line) <= _BEGINNING + _END else f"{line[:_BEGINNING]} … {line[-_END:]}"

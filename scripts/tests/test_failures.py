@@ -38,15 +38,25 @@ def test_pytest_names_failures_and_errors_as_this_reads_them(tmp_path: Path) -> 
     assert second.startswith("test_it.py::test_none")
 
 
-def test_a_failure_of_tasty_is_named() -> None:
-    output = "Memory\n  holds its value:                 OK (0.12s)\n  starts with a default:           FAIL (0.01s)\n    wrong\n"
-    assert failed_tests(output, None) == ["starts with a default"]
+def test_a_failure_of_tasty_is_named_with_its_reason() -> None:
+    rows = ["Memory", "  holds its value:          OK (0.12s)", "  starts with a default:    FAIL (0.01s)", "    expected: 1", "     but got: 2"]
+    rows += ["    Use -p '/starts/' to rerun this test only.", "  is read:    FAIL", "  is written:     OK"]
+    assert failed_tests("\n".join(rows), None) == ["starts with a default: expected: 1 but got: 2", "is read"]
 
 
-def test_a_long_message_is_cut() -> None:
-    (line,) = failed_tests(f"FAILED test_x.py::test_y - {'word ' * 200}\n", None)
-    assert line.endswith(" …")
-    assert len(line) < 310
+def test_of_a_long_message_the_beginning_and_the_end_are_kept() -> None:
+    (line,) = failed_tests(f"FAILED test_x.py::test_y - {'word ' * 500}the end\n", None)
+    assert line.startswith("test_x.py::test_y - word ")
+    assert line.endswith(" word the end")
+    assert len(line) < 1010
+
+
+def test_the_source_below_a_message_is_left_out(tmp_path: Path) -> None:
+    message = "Error: no box\nCall log:\n  - waiting for it\n\n  12 | const a = 1\n> 13 | await a\n     |       ^\n    at here.ts:13"
+    report = tmp_path / "e2e.json"
+    story = {"title": "drags", "tests": [{"status": "unexpected", "results": [{"errors": [{"message": message}]}]}]}
+    report.write_text(json.dumps({"suites": [{"title": "drag.spec.ts", "specs": [story]}]}))
+    assert failed_tests("", report) == ["drag.spec.ts > drags: Error: no box Call log: - waiting for it at here.ts:13"]
 
 
 def test_why_a_process_of_the_tests_has_ended_stands_beside_the_test_it_ran(tmp_path: Path) -> None:

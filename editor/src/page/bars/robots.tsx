@@ -1,7 +1,7 @@
 /// Real robots: the bar with status and emergency stop while this page controls a robot, and the dialog to select one.
 
 import type {VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {isDriving} from "../../state/robot_ownership.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {Dialog} from "../../ui/controls.tsx"
@@ -149,7 +149,7 @@ function Choices(): VNode {
   const locked = offered?.locked === true
   const wasLocked = useRef(locked)
   // The code fits: its field is gone, and a name comes next.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (wasLocked.current && !locked) name.current?.focus()
     wasLocked.current = locked
   }, [locked])

@@ -1,7 +1,7 @@
 /// Panel of the world editor: properties of the selection, or those of the room, and the list of parts.
 
 import type {VNode} from "preact"
-import {useEffect, useRef} from "preact/hooks"
+import {useLayoutEffect, useRef} from "preact/hooks"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {describePart, nameOfPart} from "../../ui/descriptions.ts"
 import {words} from "../../words/index.ts"
@@ -18,7 +18,7 @@ export function PartPanel({edit}: {edit: Edit}): VNode | null {
   const panel = useRef<HTMLElement>(null)
   const about = JSON.stringify(editor?.chosen ?? null)
   // The fields of what is chosen come into sight, also after choosing at the end of the list.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (about !== "null") panel.current?.scrollTo({top: 0})
   }, [about])
   if (editor === null) return null

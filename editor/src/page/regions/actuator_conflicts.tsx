@@ -1,7 +1,7 @@
 /// Conflicts at the actuator that was chosen in the diagram or its list, each with its ways out: the cards of the Problems panel, beside the actuator.
 
 import type {RefObject, VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {conflictsOf} from "../../state/visible_findings.ts"
 import {usePageState} from "../../ui/app_context.ts"
 import type {Point} from "../../views/diagram/layout/geometry.ts"
@@ -46,7 +46,7 @@ function Conflicts({stage, command, close, children}: ConflictsProps): VNode {
           null)
   }
   usePlaceInWindow(panel, besideOf(opener.current))
-  useEffect(() => {
+  useLayoutEffect(() => {
     panel.current?.querySelector<HTMLElement>("button.fix")?.focus()
     // A conflict that comes later does not open by itself.
     return close

@@ -3,7 +3,7 @@
 
 import type {DeclaredType, NetworkAction} from "@rosy/codegen/network-edits"
 import type {RefObject, VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {TextEntry} from "../../ui/text_entry.tsx"
 import type {Proposal} from "../../views/diagram/editing.ts"
@@ -151,7 +151,7 @@ export function ConnectionForm({
 
 /// What is asked first has the focus, and a text that is offered is replaced by what is typed.
 function useFirstField(form: RefObject<HTMLFormElement>): void {
-  useEffect(() => {
+  useLayoutEffect(() => {
     const field = form.current?.querySelector<HTMLElement>(
       "input[type=text], select, input[type=radio]:checked, button",
     )
@@ -165,7 +165,7 @@ function useEndOfMade(madeText: string | null, end: () => void): void {
   const text = usePageState(s => s.document.program.text)
   // The page draws the program later than it is made.
   const isShown = useRef(false)
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (text === madeText) isShown.current = true
     else if (isShown.current) end()
   }, [text, madeText])

@@ -4,7 +4,7 @@
 import type {NetworkAction, WrittenFunction, WrittenShape} from "@rosy/codegen/network-edits"
 import {commands, events, states, viewedEvent} from "@rosy/codegen/roles"
 import type {RefObject, VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {selectedDefinition} from "../../program/program.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {TextEntry} from "../../ui/text_entry.tsx"
@@ -105,7 +105,7 @@ export function useConnectionDrag(
   const controller = useController()
   const answer = useRef(ask)
   answer.current = ask
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (stage.current === null) return
     const propose = (from: ConnectionEnd, to: ConnectionEnd): Proposal =>
       controller.diagram.editing()?.propose(from, to) ?? {kind: "refused", why: words.diagram.waiting}
@@ -133,7 +133,7 @@ export function FunctionActions({open: write}: {open: (asked: AskedDefinition) =
   const [asks, setAsks] = useState<"rename" | "duplicate" | null>(null)
   const [name, setName] = useState("")
   const [why, setWhy] = useState<string | null>(null)
-  useEffect(() => {
+  useLayoutEffect(() => {
     setAsks(null)
     setWhy(null)
   }, [selected])

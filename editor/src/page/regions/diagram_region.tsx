@@ -1,7 +1,7 @@
 /// The diagram region: drawing or list, and what can be done with it.
 
 import type {CSSProperties, JSX, VNode} from "preact"
-import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {QuestionButtons} from "../../features/why/why_panel.tsx"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import {nodeQuestions} from "../../values/node_questions.ts"
@@ -73,7 +73,7 @@ export function DiagramRegion({shown, style}: {shown: boolean; style: CSSPropert
   const [definition, setDefinition] = useState<AskedDefinition | null>(null)
   const isAlone = usePageState(isOnlyView)
   // Choosing a node ends the question about what was made.
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (chosen !== null) setAsked(now => (now !== null && now.madeText !== null ? null : now))
   }, [chosen])
   const {palette, keepOpen} = usePalettes(outcome === "empty")

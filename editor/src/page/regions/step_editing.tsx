@@ -1,7 +1,7 @@
 /// Editing tasks as chains of steps: the steps that are offered, what can be done with the chosen one, and the choice after a drag.
 
 import type {VNode} from "preact"
-import {useEffect, useRef, useState} from "preact/hooks"
+import {useLayoutEffect, useRef, useState} from "preact/hooks"
 import {textRangeOf} from "../../program/program.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
 import type {Proposal} from "../../views/diagram/editing.ts"
@@ -79,7 +79,7 @@ export function StepActions({asList}: {asList: boolean}): VNode | null {
   const block = last.current
   const spans = usePageState(s => s.document.program.spans)
   const task = stepAround(tasks, block, one => textRangeOf(spans, one))
-  useEffect(() => setWhy(null), [block])
+  useLayoutEffect(() => setWhy(null), [block])
   if (editing === null || (task === null && !asList)) return null
   const {edit, list} = words.diagram
   const step = newStep(type)
@@ -130,7 +130,7 @@ export function StepChoice({asked, close}: {asked: AskedSteps; close: () => void
   const [why, setWhy] = useState<string | null>(null)
   const form = useRef<HTMLFieldSetElement>(null)
   usePlaceInWindow(form, at)
-  useEffect(() => form.current?.querySelector("button")?.focus(), [])
+  useLayoutEffect(() => form.current?.querySelector("button")?.focus(), [])
   const {edit} = words.diagram
   return (
     <fieldset

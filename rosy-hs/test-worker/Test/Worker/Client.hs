@@ -72,7 +72,7 @@ import Foreign.C.Types
 import Foreign.Ptr (Ptr)
 import Network.Socket hiding (listen)
 import Network.Socket.ByteString (recv, sendAll)
-import System.Directory (doesDirectoryExist, findExecutable, listDirectory)
+import System.Directory (findExecutable, listDirectory)
 import System.IO (IOMode (ReadMode), openFile)
 import System.Posix.IO (FdOption (CloseOnExec), setFdOption)
 import System.Posix.Types (Fd (..))
@@ -297,8 +297,12 @@ privateMemory pid = do
   found <- readFile ("/proc/" ++ show pid ++ "/smaps_rollup")
   pure (sum [read kB * 1024 | key : kB : _ <- map words (lines found), key `elem` ["Private_Clean:", "Private_Dirty:"]])
 
+-- | Whether a process computes or waits. One that has ended stays in the list until somebody has asked how: of an orphan that is for the
+-- system's first process, which may be late. proc(5), @/proc/pid/stat@: the state is the first letter after the name.
 isAlive :: Int -> IO Bool
-isAlive pid = doesDirectoryExist ("/proc/" ++ show pid)
+isAlive pid = do
+  stat <- fromRight "" <$> (try (readFile ("/proc/" ++ show pid ++ "/stat") >>= \s -> length s `seq` pure s) :: IO (Either IOException String))
+  pure (case drop 1 (words (dropWhile (/= ')') stat)) of state : _ -> state `notElem` ["Z", "X"]; [] -> False)
 
 -- | Waits for something that happens outside, looking every millisecond for at least four minutes.
 eventually :: String -> IO Bool -> IO ()
