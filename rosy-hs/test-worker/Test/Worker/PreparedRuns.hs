@@ -102,7 +102,7 @@ tests borrow =
         hear worker >>= (@?= "refused") . text "op"
         closeLink robot
         eventually "there is another" ((== 1) . length <$> spares)
-        killed <- runPlainly worker "killed" (long 12) runMemory
+        killed <- runPlainly worker "killed" bomb runMemory
         eventually "it is at work" ((== 1) . length <$> childrenOf (processId worker))
         gone <- ask worker (kill "killed")
         (text "op" gone, field "signal" gone) @?= ("gone", Number 9)
@@ -214,7 +214,8 @@ tests borrow =
       testCase "what takes too long to prepare is given up, and its run is refused for it" $
         withWorker ["--check-seconds", "0.4"] $ \worker -> do
           robot <- prepare worker "long" bomb runMemory
-          eventually "it is being compiled" (not . null <$> childrenOf (processId worker))
+          -- Requests are read in their order: after this answer the first one is being compiled, or was given up already.
+          _ <- ask worker (check "question" mistake)
           eventually "it was given up" (null <$> childrenOf (processId worker))
           refused <- ask worker (begin "long" bomb runMemory)
           (text "op" refused, kinds refused) @?= ("refused", ["too-long"])

@@ -198,7 +198,7 @@ tests borrow =
         withWorker [] $ \worker -> do
           one <- forked worker "one"
           two <- forked worker "two"
-          withRun one "running" idle (64 * megabytes) $ \_ -> do
+          withRun one "running" stuck (64 * megabytes) $ \_ -> do
             _ <- hear one
             program <- onlyChildOf (processId one)
             closeWorker one
