@@ -7,7 +7,9 @@ import {fileURLToPath} from "node:url"
 import {expect, test} from "vitest"
 
 const source = fileURLToPath(new URL("../../src", import.meta.url))
-const components = readdirSync(source, {recursive: true, encoding: "utf8"}).filter(name => name.endsWith(".tsx"))
+const components = readdirSync(source, {recursive: true, encoding: "utf8"}).filter(name =>
+  name.endsWith(".tsx"),
+)
 
 /// The bodies of effects that run after drawing.
 const lateEffects = (text: string): readonly string[] =>
