@@ -70,10 +70,13 @@ export function usePopup(name: Exclude<PageState["dialog"], null>) {
   const open = usePageState(s => s.dialog === name)
   const box = useRef<HTMLDivElement>(null)
   const button = useRef<HTMLButtonElement>(null)
-  const toggle = (to: boolean) => store.dispatch({kind: "dialog", dialog: to ? name : null})
+  // What is drawn may be a frame old when something is pressed.
+  const close = () => {
+    if (store.now.dialog === name) store.dispatch({kind: "dialog", dialog: null})
+  }
+  const toggle = () => store.dispatch({kind: "dialog", dialog: store.now.dialog === name ? null : name})
   useLayoutEffect(() => {
     if (!open) return
-    const close = () => store.dispatch({kind: "dialog", dialog: null})
     const onPointer = (event: PointerEvent) => {
       if (!box.current?.contains(event.target as Node)) close()
     }
@@ -89,7 +92,7 @@ export function usePopup(name: Exclude<PageState["dialog"], null>) {
       document.removeEventListener("keydown", onKey)
     }
   }, [open, store])
-  return {open, box, button, toggle}
+  return {open, box, button, close, toggle}
 }
 
 export function SegmentedControl<T extends string>(props: {

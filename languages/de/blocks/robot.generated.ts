@@ -82,19 +82,19 @@ export const robot = {
       "parts": [
         "Zustand"
       ],
-      "tooltip": "Der erste Knopf wurde gedrückt oder losgelassen. Beispiel: ButtonZero Pressed."
+      "tooltip": "Knopf 0 wurde gedrückt oder losgelassen. Beispiel: ButtonZero Pressed."
     },
     "ButtonOne": {
       "parts": [
         "Zustand"
       ],
-      "tooltip": "Der zweite Knopf wurde gedrückt oder losgelassen. Beispiel: ButtonOne Pressed."
+      "tooltip": "Knopf 1 wurde gedrückt oder losgelassen. Beispiel: ButtonOne Pressed."
     },
     "ButtonTwo": {
       "parts": [
         "Zustand"
       ],
-      "tooltip": "Der dritte Knopf wurde gedrückt oder losgelassen. Beispiel: ButtonTwo Pressed."
+      "tooltip": "Knopf 2 wurde gedrückt oder losgelassen. Beispiel: ButtonTwo Pressed."
     },
     "Velocity": {
       "parts": [
@@ -249,9 +249,9 @@ export const robot = {
     "WheelRight": "ein Wheel-Ereignis von rechts",
     "ButtonNumber": "ein Knopf",
     "Button": "ein Button-Ereignis",
-    "ButtonZero": "ein Ereignis des ersten Knopfs",
-    "ButtonOne": "ein Ereignis des zweiten Knopfs",
-    "ButtonTwo": "ein Ereignis des dritten Knopfs",
+    "ButtonZero": "ein Ereignis von Knopf 0",
+    "ButtonOne": "ein Ereignis von Knopf 1",
+    "ButtonTwo": "ein Ereignis von Knopf 2",
     "RobotStatus": "der Zustand des Roboters",
     "TurnRate": "eine Drehrate",
     "Battery": "eine Akkuspannung",
@@ -356,9 +356,9 @@ export const robot = {
       "Ground": "am Boden"
     },
     "ButtonNumber": {
-      "Button0": "erster",
-      "Button1": "zweiter",
-      "Button2": "dritter"
+      "Button0": "Knopf 0",
+      "Button1": "Knopf 1",
+      "Button2": "Knopf 2"
     },
     "RobotStatus": {
       "Online": "verbunden",
@@ -447,9 +447,9 @@ export const robot = {
     "cliffRight": "Bodensensor rechts",
     "wheelLeft": "Linkes Rad",
     "wheelRight": "Rechtes Rad",
-    "button0": "Erster Knopf",
-    "button1": "Zweiter Knopf",
-    "button2": "Dritter Knopf",
+    "button0": "Knopf 0",
+    "button1": "Knopf 1",
+    "button2": "Knopf 2",
     "turnRate": "Drehrate",
     "ahead": "Freier Weg nach vorn",
     "battery": "Akku",

@@ -147,8 +147,8 @@ export const why: typeof english = {
     RightCliff: "der rechte Bodensensor",
     LeftWheel: "das linke Rad",
     RightWheel: "das rechte Rad",
-    Button0: "der erste Knopf",
-    Button1: "der zweite Knopf",
-    Button2: "der dritte Knopf",
+    Button0: "Knopf 0",
+    Button1: "Knopf 1",
+    Button2: "Knopf 2",
   },
 }

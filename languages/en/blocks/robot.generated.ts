@@ -82,19 +82,19 @@ export const robot = {
       "parts": [
         "status"
       ],
-      "tooltip": "The first button was pressed or released. Example: ButtonZero Pressed."
+      "tooltip": "Button 0 was pressed or released. Example: ButtonZero Pressed."
     },
     "ButtonOne": {
       "parts": [
         "status"
       ],
-      "tooltip": "The second button was pressed or released. Example: ButtonOne Pressed."
+      "tooltip": "Button 1 was pressed or released. Example: ButtonOne Pressed."
     },
     "ButtonTwo": {
       "parts": [
         "status"
       ],
-      "tooltip": "The third button was pressed or released. Example: ButtonTwo Pressed."
+      "tooltip": "Button 2 was pressed or released. Example: ButtonTwo Pressed."
     },
     "Velocity": {
       "parts": [
@@ -249,9 +249,9 @@ export const robot = {
     "WheelRight": "a right wheel event",
     "ButtonNumber": "a button",
     "Button": "a button event",
-    "ButtonZero": "an event of the first button",
-    "ButtonOne": "an event of the second button",
-    "ButtonTwo": "an event of the third button",
+    "ButtonZero": "an event of button 0",
+    "ButtonOne": "an event of button 1",
+    "ButtonTwo": "an event of button 2",
     "RobotStatus": "the status of the robot",
     "TurnRate": "a turn rate",
     "Battery": "a battery voltage",
@@ -356,9 +356,9 @@ export const robot = {
       "Ground": "on the ground"
     },
     "ButtonNumber": {
-      "Button0": "first",
-      "Button1": "second",
-      "Button2": "third"
+      "Button0": "button 0",
+      "Button1": "button 1",
+      "Button2": "button 2"
     },
     "RobotStatus": {
       "Online": "connected",
@@ -447,9 +447,9 @@ export const robot = {
     "cliffRight": "Right cliff",
     "wheelLeft": "Left wheel",
     "wheelRight": "Right wheel",
-    "button0": "First button",
-    "button1": "Second button",
-    "button2": "Third button",
+    "button0": "Button 0",
+    "button1": "Button 1",
+    "button2": "Button 2",
     "turnRate": "Turn rate",
     "ahead": "Free way ahead",
     "battery": "Battery",

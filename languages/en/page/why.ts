@@ -145,8 +145,8 @@ export const why = {
     RightCliff: "the right cliff sensor",
     LeftWheel: "the left wheel",
     RightWheel: "the right wheel",
-    Button0: "the first button",
-    Button1: "the second button",
-    Button2: "the third button",
+    Button0: "button 0",
+    Button1: "button 1",
+    Button2: "button 2",
   },
 }

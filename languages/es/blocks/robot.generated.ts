@@ -82,19 +82,19 @@ export const robot = {
       "parts": [
         "estado"
       ],
-      "tooltip": "El primer botón se ha pulsado o se ha soltado. Ejemplo: ButtonZero Pressed."
+      "tooltip": "El botón 0 se ha pulsado o se ha soltado. Ejemplo: ButtonZero Pressed."
     },
     "ButtonOne": {
       "parts": [
         "estado"
       ],
-      "tooltip": "El segundo botón se ha pulsado o se ha soltado. Ejemplo: ButtonOne Pressed."
+      "tooltip": "El botón 1 se ha pulsado o se ha soltado. Ejemplo: ButtonOne Pressed."
     },
     "ButtonTwo": {
       "parts": [
         "estado"
       ],
-      "tooltip": "El tercer botón se ha pulsado o se ha soltado. Ejemplo: ButtonTwo Pressed."
+      "tooltip": "El botón 2 se ha pulsado o se ha soltado. Ejemplo: ButtonTwo Pressed."
     },
     "Velocity": {
       "parts": [
@@ -249,9 +249,9 @@ export const robot = {
     "WheelRight": "un evento Wheel de la derecha",
     "ButtonNumber": "un botón",
     "Button": "un evento Button",
-    "ButtonZero": "un evento del primer botón",
-    "ButtonOne": "un evento del segundo botón",
-    "ButtonTwo": "un evento del tercer botón",
+    "ButtonZero": "un evento del botón 0",
+    "ButtonOne": "un evento del botón 1",
+    "ButtonTwo": "un evento del botón 2",
     "RobotStatus": "el estado del robot",
     "TurnRate": "una velocidad de giro",
     "Battery": "un voltaje de la batería",
@@ -356,9 +356,9 @@ export const robot = {
       "Ground": "sobre el suelo"
     },
     "ButtonNumber": {
-      "Button0": "primero",
-      "Button1": "segundo",
-      "Button2": "tercero"
+      "Button0": "botón 0",
+      "Button1": "botón 1",
+      "Button2": "botón 2"
     },
     "RobotStatus": {
       "Online": "conectado",
@@ -447,9 +447,9 @@ export const robot = {
     "cliffRight": "Sensor de suelo derecho",
     "wheelLeft": "Rueda izquierda",
     "wheelRight": "Rueda derecha",
-    "button0": "Primer botón",
-    "button1": "Segundo botón",
-    "button2": "Tercer botón",
+    "button0": "Botón 0",
+    "button1": "Botón 1",
+    "button2": "Botón 2",
     "turnRate": "Velocidad de giro",
     "ahead": "Camino libre delante",
     "battery": "Batería",

@@ -152,8 +152,8 @@ export const why: Words["why"] = {
     RightCliff: "el sensor de suelo derecho",
     LeftWheel: "la rueda izquierda",
     RightWheel: "la rueda derecha",
-    Button0: "el primer botón",
-    Button1: "el segundo botón",
-    Button2: "el tercer botón",
+    Button0: "el botón 0",
+    Button1: "el botón 1",
+    Button2: "el botón 2",
   },
 }

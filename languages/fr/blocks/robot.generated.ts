@@ -82,19 +82,19 @@ export const robot = {
       "parts": [
         "état"
       ],
-      "tooltip": "Le premier bouton a été enfoncé ou relâché. Exemple : ButtonZero Pressed."
+      "tooltip": "Le bouton 0 a été enfoncé ou relâché. Exemple : ButtonZero Pressed."
     },
     "ButtonOne": {
       "parts": [
         "état"
       ],
-      "tooltip": "Le deuxième bouton a été enfoncé ou relâché. Exemple : ButtonOne Pressed."
+      "tooltip": "Le bouton 1 a été enfoncé ou relâché. Exemple : ButtonOne Pressed."
     },
     "ButtonTwo": {
       "parts": [
         "état"
       ],
-      "tooltip": "Le troisième bouton a été enfoncé ou relâché. Exemple : ButtonTwo Pressed."
+      "tooltip": "Le bouton 2 a été enfoncé ou relâché. Exemple : ButtonTwo Pressed."
     },
     "Velocity": {
       "parts": [
@@ -249,9 +249,9 @@ export const robot = {
     "WheelRight": "un événement Wheel de droite",
     "ButtonNumber": "un bouton",
     "Button": "un événement Button",
-    "ButtonZero": "un événement du premier bouton",
-    "ButtonOne": "un événement du deuxième bouton",
-    "ButtonTwo": "un événement du troisième bouton",
+    "ButtonZero": "un événement du bouton 0",
+    "ButtonOne": "un événement du bouton 1",
+    "ButtonTwo": "un événement du bouton 2",
     "RobotStatus": "l’état du robot",
     "TurnRate": "une vitesse de rotation",
     "Battery": "une tension de batterie",
@@ -356,9 +356,9 @@ export const robot = {
       "Ground": "au sol"
     },
     "ButtonNumber": {
-      "Button0": "premier",
-      "Button1": "deuxième",
-      "Button2": "troisième"
+      "Button0": "bouton 0",
+      "Button1": "bouton 1",
+      "Button2": "bouton 2"
     },
     "RobotStatus": {
       "Online": "connecté",
@@ -447,9 +447,9 @@ export const robot = {
     "cliffRight": "Capteur de vide droit",
     "wheelLeft": "Roue gauche",
     "wheelRight": "Roue droite",
-    "button0": "Premier bouton",
-    "button1": "Deuxième bouton",
-    "button2": "Troisième bouton",
+    "button0": "Bouton 0",
+    "button1": "Bouton 1",
+    "button2": "Bouton 2",
     "turnRate": "Vitesse de rotation",
     "ahead": "Voie libre devant",
     "battery": "Batterie",

@@ -151,8 +151,8 @@ export const why: typeof english = {
     RightCliff: "le capteur de vide droit",
     LeftWheel: "la roue gauche",
     RightWheel: "la roue droite",
-    Button0: "le premier bouton",
-    Button1: "le deuxième bouton",
-    Button2: "le troisième bouton",
+    Button0: "le bouton 0",
+    Button1: "le bouton 1",
+    Button2: "le bouton 2",
   },
 }

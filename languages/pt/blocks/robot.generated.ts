@@ -82,19 +82,19 @@ export const robot = {
       "parts": [
         "estado"
       ],
-      "tooltip": "O primeiro botão foi pressionado ou solto. Exemplo: ButtonZero Pressed."
+      "tooltip": "O botão 0 foi pressionado ou solto. Exemplo: ButtonZero Pressed."
     },
     "ButtonOne": {
       "parts": [
         "estado"
       ],
-      "tooltip": "O segundo botão foi pressionado ou solto. Exemplo: ButtonOne Pressed."
+      "tooltip": "O botão 1 foi pressionado ou solto. Exemplo: ButtonOne Pressed."
     },
     "ButtonTwo": {
       "parts": [
         "estado"
       ],
-      "tooltip": "O terceiro botão foi pressionado ou solto. Exemplo: ButtonTwo Pressed."
+      "tooltip": "O botão 2 foi pressionado ou solto. Exemplo: ButtonTwo Pressed."
     },
     "Velocity": {
       "parts": [
@@ -249,9 +249,9 @@ export const robot = {
     "WheelRight": "um evento Wheel da direita",
     "ButtonNumber": "um botão",
     "Button": "um evento Button",
-    "ButtonZero": "um evento do primeiro botão",
-    "ButtonOne": "um evento do segundo botão",
-    "ButtonTwo": "um evento do terceiro botão",
+    "ButtonZero": "um evento do botão 0",
+    "ButtonOne": "um evento do botão 1",
+    "ButtonTwo": "um evento do botão 2",
     "RobotStatus": "o estado do robô",
     "TurnRate": "uma velocidade de giro",
     "Battery": "uma tensão da bateria",
@@ -356,9 +356,9 @@ export const robot = {
       "Ground": "no chão"
     },
     "ButtonNumber": {
-      "Button0": "primeiro",
-      "Button1": "segundo",
-      "Button2": "terceiro"
+      "Button0": "botão 0",
+      "Button1": "botão 1",
+      "Button2": "botão 2"
     },
     "RobotStatus": {
       "Online": "conectado",
@@ -447,9 +447,9 @@ export const robot = {
     "cliffRight": "Sensor de chão direito",
     "wheelLeft": "Roda esquerda",
     "wheelRight": "Roda direita",
-    "button0": "Primeiro botão",
-    "button1": "Segundo botão",
-    "button2": "Terceiro botão",
+    "button0": "Botão 0",
+    "button1": "Botão 1",
+    "button2": "Botão 2",
     "turnRate": "Velocidade de giro",
     "ahead": "Caminho livre à frente",
     "battery": "Bateria",

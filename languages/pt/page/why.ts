@@ -151,8 +151,8 @@ export const why: typeof english = {
     RightCliff: "o sensor de chão direito",
     LeftWheel: "a roda esquerda",
     RightWheel: "a roda direita",
-    Button0: "o primeiro botão",
-    Button1: "o segundo botão",
-    Button2: "o terceiro botão",
+    Button0: "o botão 0",
+    Button1: "o botão 1",
+    Button2: "o botão 2",
   },
 }

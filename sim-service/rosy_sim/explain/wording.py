@@ -27,9 +27,9 @@ _PLACES: dict[str, Words] = {
     "RightCliff": tr("the right cliff sensor"),
     "LeftWheel": tr("the left wheel"),
     "RightWheel": tr("the right wheel"),
-    "Button0": tr("the first button"),
-    "Button1": tr("the second button"),
-    "Button2": tr("the third button"),
+    "Button0": tr("button 0"),
+    "Button1": tr("button 1"),
+    "Button2": tr("button 2"),
 }
 
 _HAPPENED: dict[tuple[str, str], Callable[[Words], Words]] = {

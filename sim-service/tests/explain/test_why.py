@@ -169,7 +169,7 @@ PRESSED_TWICE = """
             [
                 "At 3.10 s **inside** sent `Led2 Green`.",
                 "**inside** ran at 3.10 s because **caller** called a task at 3.10 s.",
-                "**caller** ran at 3.10 s because the first button was pressed.",
+                "**caller** ran at 3.10 s because button 0 was pressed.",
             ],
         ),
         (

@@ -28,7 +28,7 @@ export function LayoutMenu(): VNode {
         title={words.arrange.hint}
         aria-label={words.arrange.title}
         aria-expanded={open}
-        onClick={() => toggle(!open)}
+        onClick={toggle}
       >
         <ArrangeIcon />
       </button>

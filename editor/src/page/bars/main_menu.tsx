@@ -13,10 +13,10 @@ import {UndoRedo} from "./run_controls.tsx"
 const themes: readonly Theme[] = ["auto", "light", "dark"]
 
 export function MainMenu(): VNode {
-  const {open, box, button, toggle} = usePopup("menu")
+  const {open, box, button, close, toggle} = usePopup("menu")
   /// The entry that had the focus is gone then.
   const leave = () => {
-    toggle(false)
+    close()
     button.current?.focus()
   }
   return (
@@ -28,7 +28,7 @@ export function MainMenu(): VNode {
         title={words.menu}
         aria-label={words.menu}
         aria-expanded={open}
-        onClick={() => toggle(!open)}
+        onClick={toggle}
       >
         <MoreIcon />
       </button>

@@ -66,7 +66,7 @@ function Filming(): VNode | null {
 function RoomViewMenu(): VNode {
   const controller = useController()
   const {store} = controller
-  const {open, box, button, toggle} = usePopup("sight")
+  const {open, box, button, close, toggle} = usePopup("sight")
   const trail = usePageState(s => s.trail)
   const film = usePageState(s => s.film)
   const hasRun = usePageState(s => s.room.run !== null && s.room.recording.length > 0)
@@ -77,7 +77,7 @@ function RoomViewMenu(): VNode {
       type="button"
       class="item"
       onClick={() => {
-        toggle(false)
+        close()
         act()
       }}
     >
@@ -93,7 +93,7 @@ function RoomViewMenu(): VNode {
         aria-label={words.sightMenu}
         title={words.sightMenu}
         aria-expanded={open}
-        onClick={() => toggle(!open)}
+        onClick={toggle}
       >
         <EyeIcon />
       </button>

@@ -71,22 +71,25 @@ data Clock = Clock
     now :: IO Double,
     -- | the time of day, seconds
     today :: IO Double,
+    -- | has the ticks begin, the first one at once
+    startTicks :: IO (),
     -- | becomes true when a tick is due; taking the tick resets it
     tickDue :: TVar Bool
   }
 
--- | The system's clocks, and ten ticks a second (the default rate, rule R3) while the action runs. A program that
--- is late gets one tick, not all that it has missed.
+-- | The system's clocks, and ten ticks a second (the default rate, rule R3) from 'startTicks' on while the action runs.
+-- A program that is late gets one tick, not all that it has missed.
 withClock :: (Clock -> IO a) -> IO a
 withClock use = do
   due <- newTVarIO False
-  began <- getMonotonicTime
-  let beat n = do
-        t <- getMonotonicTime
-        threadDelay (max 0 (ceiling ((began + fromIntegral n / 10 - t) * 1e6)))
+  started <- newTVarIO False
+  let beat began n = do
         atomically (writeTVar due True)
-        beat (n + 1 :: Int)
-  withAsync (beat 1) (const (use (Clock bootSeconds secondsOfDay due)))
+        t <- getMonotonicTime
+        threadDelay (max 0 (ceiling ((began + fromIntegral (n :: Int) / 10 - t) * 1e6)))
+        beat began (n + 1)
+      beats = atomically (readTVar started >>= check) >> getMonotonicTime >>= \began -> beat began 1
+  withAsync beats (const (use (Clock bootSeconds secondsOfDay (atomically (writeTVar started True)) due)))
 
 -- | A run as a link sees it: what it was opened with, and what changes.
 data RealRun = RealRun
@@ -131,6 +134,8 @@ openRobot run topics = do
   complain run (IsAwaited unknownReason)
   awaitRobot run
   now (clock run) >>= writeIORef (beganAt run)
+  -- The first tick is at 0 s of the program, and the second 0.1 s later, however long the robot was waited for.
+  startTicks (clock run)
   Opening <$> randomIO <*> today (clock run)
 
 -- | Until the robot is there, or the run is to stop.

@@ -1,7 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
--- Description : A program on a robot's link that was frozen: what came meanwhile, and what was on its way to the robot. Time is in the test's hands.
+-- Description : A program on a robot's link: its ticks, and after it was frozen what came meanwhile and what was on its way to the robot. Time is in
+--               the test's hands.
 module Test.Robots.Absence (tests) where
 
 import Control.Concurrent.STM
@@ -20,6 +21,24 @@ import Test.Tasty.HUnit
 
 tests :: TestTree
 tests =
+  testGroup
+    "time of a program on a robot"
+    [ testCase "its ticks begin when the robot is there, the first one at once" $ do
+        ticking <- newTVarIO False
+        (link, _, _) <- linked (atomically (readTVar ticking >>= \twice -> writeTVar ticking (not twice)))
+        before <- readTVarIO ticking
+        _ <- open link []
+        after <- readTVarIO ticking
+        (before, after) @?= (False, True)
+        withClock $ \clock -> do
+          startTicks clock
+          -- Waits for ever where none comes.
+          atomically (readTVar (tickDue clock) >>= check),
+      frozen
+    ]
+
+frozen :: TestTree
+frozen =
   testGroup
     "a program that was frozen"
     [ testCase "does not hear what was pressed meanwhile, and hears where it is" (afterFreeze 10 @?>= [position]),
@@ -46,8 +65,18 @@ position = OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity 0 
 -- | What a program hears after so many seconds in which it did nothing, and its link queued a press and a position.
 afterFreeze :: Double -> IO [Message]
 afterFreeze seconds = do
+  (link, time, queued) <- linked (pure ())
+  _ <- open link []
+  step <- next link
+  for_ step (const (answer link noAnswer))
+  atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
+  maybe [] batchMessages <$> next link
+
+-- | A link to a robot that is there; its clock, and what the robot sends. A tick is due. The action is what starts the ticks.
+linked :: IO () -> IO (Link, TVar Double, TVar [RobotEvent])
+linked starts = do
   time <- newTVarIO 0
-  due <- newTVarIO False
+  due <- newTVarIO True
   queued <- newTVarIO [Connected]
   control <- newRunControl (newGuard (Limits 0.7 pi Nothing) False)
   let robot =
@@ -62,10 +91,5 @@ afterFreeze seconds = do
             unreadableMessages = pure noneUnreadable,
             velocityTopic = pure Nothing
           }
-  link <- realLink (Clock (readTVarIO time) (pure 0) due) 10 control robot
-  _ <- open link []
-  atomically (writeTVar due True)
-  step <- next link
-  for_ step (const (answer link noAnswer))
-  atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
-  maybe [] batchMessages <$> next link
+  link <- realLink (Clock (readTVarIO time) (pure 0) starts due) 10 control robot
+  pure (link, time, queued)

@@ -64,7 +64,7 @@ playing main' base known play = do
       comes f goal = awaiting (atomically (readTVar progress >>= \p -> check (f p >= goal || over p)))
   there <- newTVarIO False
   reins <- newRunControl (if known then snd (onEvent Connected unknown) else unknown)
-  link <- realLink (Clock (readTVarIO time) (pure 0) due) 10 reins (neverLost there base) >>= watched progress
+  link <- realLink (Clock (readTVarIO time) (pure 0) (pure ()) due) 10 reins (neverLost there base) >>= watched progress
   let hands =
         Hands
           { at = atomically . writeTVar time . timeOf,
