@@ -29,6 +29,23 @@ const shows = (page: Page, how: "one picture" | "all") =>
     await new Promise(done => setTimeout(done))
   }, how === "all")
 
+test("a menu that is opened again before its end is seen stays open", async ({page}) => {
+  const learner = new Learner(page)
+  await learner.opens("move")
+  const more = await boxAtRest(page.getByRole("button", {name: "More", exact: true}))
+  const presses = () => page.mouse.click(more.x + more.width / 2, more.y + more.height / 2)
+  await presses()
+  const entry = page.getByRole("button", {name: "New program", exact: true})
+  await expect(entry).toBeVisible()
+  await showsNothing(page)
+  await page.keyboard.press("Escape")
+  await presses()
+  await shows(page, "all")
+  await expect(entry).toBeVisible()
+  await presses()
+  await expect(entry).toHaveCount(0)
+})
+
 test("what is typed before a change of the blocks is seen does not take it back", async ({page}) => {
   const learner = new Learner(page)
   await learner.opens("accelerateAndPlay")

@@ -9,7 +9,6 @@ import Rosy.Robots.Target (explainTargetError, readTarget)
 import Rosy.Sentence (english)
 import System.Environment (getArgs)
 import System.Exit (die, exitWith)
-import qualified Test.Robots.Absence
 import qualified Test.Robots.ActionClient
 import qualified Test.Robots.BuiltProgram
 import qualified Test.Robots.Distance
@@ -19,6 +18,7 @@ import qualified Test.Robots.Kobuki
 import qualified Test.Robots.Links
 import qualified Test.Robots.Motion
 import Test.Robots.Programs (byName)
+import qualified Test.Robots.RealLink
 import Test.Robots.Rigs (withReady)
 import qualified Test.Robots.Same
 import qualified Test.Robots.Target
@@ -41,7 +41,7 @@ suite =
     "robots"
     [ Test.Robots.Kobuki.tests,
       Test.Robots.Guard.tests,
-      Test.Robots.Absence.tests,
+      Test.Robots.RealLink.tests,
       Test.Robots.ActionClient.tests,
       Test.Robots.Distance.tests,
       Test.Robots.Target.tests,

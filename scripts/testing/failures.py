@@ -65,7 +65,7 @@ def _playwright(suites: list[dict[str, Any]], above: tuple[str, ...]) -> Iterato
 
 def _tasty(output: str) -> Iterator[str]:
     """Tests that failed, with the lines below them that are further to the right."""
-    for failed in re.finditer(r"^(\s+)(\S.*?):\s+FAIL(?: \(.*\))?\n((?:\1\s+\S.*\n|\s*\n)*)", output, re.M):
+    for failed in re.finditer(r"^([ \t]+)(\S.*?):[ \t]+FAIL(?: \(.*\))?$((?:\n\1[ \t]+\S.*)*)", output, re.M):
         message = failed[3].split("Use -p ")[0].strip()
         yield f"{failed[2]}: {message}" if message else failed[2]
 

@@ -39,7 +39,7 @@ def test_pytest_names_failures_and_errors_as_this_reads_them(tmp_path: Path) -> 
 
 
 def test_a_failure_of_tasty_is_named_with_its_reason() -> None:
-    rows = ["Memory", "  holds its value:          OK (0.12s)", "  starts with a default:    FAIL (0.01s)", "    expected: 1", "     but got: 2"]
+    rows = ["Memory", "", "  holds its value:          OK (0.12s)", "", "  starts with a default:    FAIL (0.01s)", "    expected: 1", "     but got: 2"]
     rows += ["    Use -p '/starts/' to rerun this test only.", "  is read:    FAIL", "  is written:     OK"]
     assert failed_tests("\n".join(rows), None) == ["starts with a default: expected: 1 but got: 2", "is read"]
 

@@ -346,7 +346,6 @@ export const page: Omit<
   goals: "Ziele",
   goalStates: {open: "offen", done: "geschafft", missed: "verfehlt"},
   hands: "Den Roboter anfassen",
-  shortButton: n => `Knopf ${n}`,
   robotButton: n => `Knopf ${n} des Roboters drücken`,
   holdsThing: (kind, n) =>
     `${kind === "box" ? "Kiste" : "Tonne"} ${n}: Die Pfeiltasten schieben sie. Escape nimmt wieder den Roboter.`,

@@ -339,7 +339,6 @@ export const page = {
   goals: "Goals",
   goalStates: {open: "open", done: "done", missed: "missed"},
   hands: "Touch the robot",
-  shortButton: (n: number) => `Button ${n}`,
   robotButton: (n: number) => `Press button ${n} of the robot`,
   holdsThing: (kind: "box" | "drum", n: number) =>
     `${kind === "box" ? "Box" : "Drum"} ${n}: the arrow keys push it. Escape takes the robot again.`,

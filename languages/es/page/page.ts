@@ -356,7 +356,6 @@ export const page: Omit<
   goals: "Objetivos",
   goalStates: {open: "pendiente", done: "logrado", missed: "no logrado"},
   hands: "Toca el robot",
-  shortButton: n => `Botón ${n}`,
   robotButton: n => `Pulsar el botón ${n} del robot`,
   holdsThing: (kind, n) =>
     `${kind === "box" ? "Caja" : "Barril"} ${n}: se empuja con las flechas. Escape toma otra vez el robot.`,

@@ -357,7 +357,6 @@ export const page: Omit<
   goals: "Buts",
   goalStates: {open: "à faire", done: "réussi", missed: "manqué"},
   hands: "Toucher le robot",
-  shortButton: n => `Bouton ${n}`,
   robotButton: n => `Appuyer sur le bouton ${n} du robot`,
   holdsThing: (kind, n) =>
     `${kind === "box" ? "Caisse" : "Tonneau"} ${n} : les flèches poussent cet objet. Échap reprend le robot.`,

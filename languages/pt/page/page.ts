@@ -348,7 +348,6 @@ export const page: Omit<
   goals: "Metas",
   goalStates: {open: "falta", done: "feita", missed: "perdida"},
   hands: "Tocar no robô",
-  shortButton: n => `Botão ${n}`,
   robotButton: n => `Apertar o botão ${n} do robô`,
   holdsThing: (kind, n) =>
     `${kind === "box" ? "Caixa" : "Tambor"} ${n}: as setas do teclado empurram. Esc pega o robô de novo.`,

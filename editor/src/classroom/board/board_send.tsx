@@ -1,7 +1,7 @@
 /// Tool of the teacher's board that sends a program, a room or a lesson to all pupils or to the selected ones.
 
 import type {VNode} from "preact"
-import {useEffect, useState} from "preact/hooks"
+import {useLayoutEffect, useState} from "preact/hooks"
 import {type FetchResult, fetchExample, fetchExamples, fetchLessons} from "../../browser/remote_resources.ts"
 import {type LessonDraft, writtenTitle} from "../../lesson_files/draft.ts"
 import {lessonText} from "../../lesson_files/draft_file.ts"
@@ -201,7 +201,7 @@ type Fetched<T> = {readonly kind: "loading"} | FetchResult<T>
 /// Fetches when it is needed, again after a failure.
 function useFetched<T>(needed: boolean, fetched: () => Promise<FetchResult<T>>): Fetched<T> {
   const [found, setFound] = useState<Fetched<T>>({kind: "loading"})
-  useEffect(() => {
+  useLayoutEffect(() => {
     if (!needed || found.kind === "there") return
     setFound({kind: "loading"})
     void fetched().then(setFound)

@@ -1,7 +1,7 @@
 /// A pupil's program on the teacher's board: the page with a copy of it, and the comments on its places.
 
 import type {VNode} from "preact"
-import {useLayoutEffect, useRef, useState} from "preact/hooks"
+import {useEffect, useLayoutEffect, useRef, useState} from "preact/hooks"
 import {quoteOf} from "../../program/block_comments.ts"
 import type {BoardRequest} from "../../wire/classroom/board_messages.generated.ts"
 import type {OwnComment} from "../../wire/classroom/pupil_messages.generated.ts"
@@ -50,7 +50,7 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
       },
     )
   }, [shown.address])
-  useLayoutEffect(() => {
+  useEffect(() => {
     const tell = (message: SharingMessage | SharingBounds) => {
       const page = frame.current?.contentWindow
       if (page) post(page, hostMessage(message, shown.nickname))
@@ -62,14 +62,14 @@ export function ShownProgramDialog({shown, send}: Props): VNode {
     }
   }, [shown.address])
   const {newer} = shown
-  useLayoutEffect(() => {
+  useEffect(() => {
     const page = frame.current?.contentWindow
     if (guest.isReady && newer !== null && page) post(page, {kind: "newer", project: newer})
   }, [guest.isReady, newer])
   const {program, pupil} = shown
   const comments = program === null ? [] : board.value.comments.filter(one => one.program === program)
   const told = JSON.stringify(comments)
-  useLayoutEffect(() => {
+  useEffect(() => {
     const page = frame.current?.contentWindow
     if (guest.isReady && page) post(page, {kind: "comments", comments: comments.filter(({done}) => !done)})
   }, [guest.isReady, told])

@@ -5,7 +5,7 @@ import type {Hand} from "../../state/messages/messages.ts"
 import {isOn} from "../../state/runs/channels.ts"
 import {goalsOf} from "../../state/runs/room_state.ts"
 import {useController, usePageState} from "../../ui/app_context.ts"
-import {goalTitle} from "../../ui/descriptions.ts"
+import {goalTitle, quantityName} from "../../ui/descriptions.ts"
 import {readout} from "../../values/readout.ts"
 import {movableObjectsOf} from "../../views/room/poses.ts"
 import {measures, words} from "../../words/index.ts"
@@ -79,7 +79,7 @@ export function Hands(): VNode | null {
         onKeyDown={event => isKey(event.key) && !event.repeat && hand({press: name})}
         onKeyUp={event => isKey(event.key) && hand({release: name})}
       >
-        {words.shortButton(n)}
+        {quantityName(`button${n}`)}
       </button>
     )
   }

@@ -71,7 +71,7 @@ data Clock = Clock
     now :: IO Double,
     -- | the time of day, seconds
     today :: IO Double,
-    -- | has the ticks begin, the first one at once
+    -- | starts the ticks; the first is due at once
     startTicks :: IO (),
     -- | becomes true when a tick is due; taking the tick resets it
     tickDue :: TVar Bool

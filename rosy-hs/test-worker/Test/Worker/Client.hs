@@ -297,8 +297,8 @@ privateMemory pid = do
   found <- readFile ("/proc/" ++ show pid ++ "/smaps_rollup")
   pure (sum [read kB * 1024 | key : kB : _ <- map words (lines found), key `elem` ["Private_Clean:", "Private_Dirty:"]])
 
--- | Whether a process computes or waits. One that has ended stays in the list until somebody has asked how: of an orphan that is for the
--- system's first process, which may be late. proc(5), @/proc/pid/stat@: the state is the first letter after the name.
+-- | Whether a process has not ended. A zombie has: one whose parent is gone stays in @/proc@ until the init process has reaped it.
+-- proc(5), @/proc/pid/stat@: the state follows the name.
 isAlive :: Int -> IO Bool
 isAlive pid = do
   stat <- fromRight "" <$> (try (readFile ("/proc/" ++ show pid ++ "/stat") >>= \s -> length s `seq` pure s) :: IO (Either IOException String))

@@ -1,9 +1,8 @@
 {-# LANGUAGE OverloadedStrings #-}
 
 -- |
--- Description : A program on a robot's link: its ticks, and after it was frozen what came meanwhile and what was on its way to the robot. Time is in
---               the test's hands.
-module Test.Robots.Absence (tests) where
+-- Description : The link to a real robot: when its ticks begin, and what a program that was frozen receives and sends. Time is set by the test.
+module Test.Robots.RealLink (tests) where
 
 import Control.Concurrent.STM
 import Data.Foldable (for_)
@@ -22,17 +21,18 @@ import Test.Tasty.HUnit
 tests :: TestTree
 tests =
   testGroup
-    "time of a program on a robot"
-    [ testCase "its ticks begin when the robot is there, the first one at once" $ do
-        ticking <- newTVarIO False
-        (link, _, _) <- linked (atomically (readTVar ticking >>= \twice -> writeTVar ticking (not twice)))
-        before <- readTVarIO ticking
+    "the link to a real robot"
+    [ testCase "starts the ticks once, when the robot is there" $ do
+        started <- newTVarIO (0 :: Int)
+        (link, _, _) <- linked (atomically (modifyTVar' started (+ 1)))
+        before <- readTVarIO started
         _ <- open link []
-        after <- readTVarIO ticking
-        (before, after) @?= (False, True)
+        after <- readTVarIO started
+        (before, after) @?= (0, 1),
+      testCase "has no tick before they are started, and the first one then at once" $
         withClock $ \clock -> do
+          readTVarIO (tickDue clock) >>= (@?= False)
           startTicks clock
-          -- Waits for ever where none comes.
           atomically (readTVar (tickDue clock) >>= check),
       frozen
     ]
@@ -62,7 +62,7 @@ press, position :: Message
 press = BumperMessage (Bumper CenterBumper Pressed)
 position = OdometryMessage (Odometry (Position 0 0) (Orientation 0) (Velocity 0 0))
 
--- | What a program hears after so many seconds in which it did nothing, and its link queued a press and a position.
+-- | What a program receives after so many seconds in which it did nothing, and its link queued a press and a position.
 afterFreeze :: Double -> IO [Message]
 afterFreeze seconds = do
   (link, time, queued) <- linked (pure ())
@@ -72,7 +72,7 @@ afterFreeze seconds = do
   atomically (writeTVar time seconds >> writeTVar queued (map Received [press, position]))
   maybe [] batchMessages <$> next link
 
--- | A link to a robot that is there; its clock, and what the robot sends. A tick is due. The action is what starts the ticks.
+-- | A link to a robot that is there; its clock, and what the robot sends. A tick is due. The action is 'startTicks' of its clock.
 linked :: IO () -> IO (Link, TVar Double, TVar [RobotEvent])
 linked starts = do
   time <- newTVarIO 0
